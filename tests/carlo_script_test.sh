@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# carlo_script_test.sh SOURCE VERBS: what ./carlo does before and around the programs that it starts, by
-# stand-ins for these. Bad calls: one line on stderr, exit code 1, and an end.
+# carlo_script_test.sh SOURCE VERBS: tests, with stand-ins for the programs that it starts, what
+# ./carlo does before and around them. A bad call gives one line on stderr and exit code 1.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/stand_in_tree.sh"
 
@@ -89,7 +89,30 @@ expect 0 '^carlo_replay 1.2 --lab .*lab01_worker$' replay 1.2
 program "$tree/build/release/bin/lab01_judge" 'exit 1'
 expect 1 '' test 1
 
-# How a program ended.
+# A stub is answered before there is a judge; what somebody has begun is not.
+labs=0
+rm "$tree/build/release/bin/lab01_judge"
+for folder in "$tree"/labs/0*; do
+  labs=$((labs + 1))
+  cp -R "$source/labs/${folder##*/}"/* "$folder/"
+  expect 1 "^Lab $labs compiles, and all its [1-9][0-9]* exercises are not implemented yet: 0 points\$" test "$labs"
+done
+[ "$labs" = 9 ] || failed "$labs labs"
+# Without a judge to copy, the stand-in's build is a failure.
+expect_no_answer() { expect 1 'the code does not compile' test "$@"; }
+own=$tree/labs/01_integration/integration.cpp
+cp "$own" "$scratch/stub.cpp"
+expect_no_answer 1.1
+expect_no_answer 1 --verbose
+expect_no_answer 1 2
+sed 's|^  // 2. Add up the values of f.$|  return 1;|' "$scratch/stub.cpp" >"$own"
+expect_no_answer 1
+sed '0,/^  carlo::not_implemented.*/s|||' "$scratch/stub.cpp" >"$own"
+expect_no_answer 1
+mv "$scratch/stub.cpp" "$own"
+stand_in "$tree/build/release/bin/lab01_judge"
+
+# Exit codes and signals of programs.
 program "$tree/build/release/bin/lab01" 'kill -SEGV $$'
 expect 1 'crashed: invalid memory access' lab 1
 expect 1 'To find the line .*CARLO_PRESET=debug ./carlo lab 1' lab 1
@@ -101,7 +124,7 @@ stand_in "$tree/build/release/bin/lab01"
 
 # --- builds --------------------------------------------------------------------------------------
 
-# What killed runs left goes, and nobody else's.
+# Removes the folders of killed runs, and no others.
 run=$tree/build/release/run
 mkdir -p "$run/999999999" "$run/$$"
 touch -t 202001010000 "$run/999999999" "$run/$$"
@@ -111,13 +134,13 @@ expect 0 '^lab01$' lab 1
 rm -r "${run:?}/$$"
 [ -z "$(ls "$run")" ] || failed "these stay: $(ls "$run")"
 
-# Who is to wait long is told, at once and then each half minute.
+# Announces a long wait at once, then every ten seconds.
 program "$tools/ninja" 'case " $* " in
   *" -n "*) for step in {1..21}; do printf "[%d] c++\n" "$step"; done ;;
-  *) printf "@1/21 1.0 c++\n@10/21 31.5 c++\n@11/21 32.5 c++\n" ;;
+  *) printf "@1/21 1.0 c++\n@10/21 11.5 c++\n@11/21 20.5 c++\n" ;;
 esac'
 expect 0 'building .a minute or more' lab 1
-expect 0 '^carlo: building 10/21, about 40 s left$' lab 1
+expect 0 '^carlo: building 10/21, about 20 s left$' lab 1
 ! carlo lab 1 2>&1 | grep -q '1[/]21 \|11/21' || failed "progress on a pipe at every step"
 program "$tools/ninja" 'echo "a.cpp:1:1: error: x"; exit 1'
 expect_error_in_build() { expect 1 'the code does not compile .the compiler.s full output: .*build.log' lab 1; }
@@ -126,12 +149,12 @@ expect 1 '^carlo_course explain --root' lab 1
 grep -q 'a.cpp:1:1: error: x' "$tree/build/release/build.log" || failed "the compiler's words are lost"
 program "$tools/ninja" 'echo "ninja: build stopped: interrupted by user."; exit 2'
 expect 130 '^carlo: stopped while building$' lab 1
-# A hint builds nothing where its program is there.
+# A hint builds nothing if its program exists.
 program "$tools/ninja" 'case " $* " in *" -n "*) ;; *) exit 1 ;; esac'
 expect 0 '^carlo_course hint' hint 1.2
 program "$tools/ninja" ''
 
-# Ctrl-C while it judges: the judge ends, and so do we.
+# A signal while it judges ends the judge and ./carlo.
 program "$tree/build/release/bin/lab01_judge" 'echo begun; sleep 60 & wait'
 (cd "$scratch" && PATH=$tools:$PATH exec setsid "$tree/carlo" test 1 >"$scratch/said" 2>&1) &
 carlo=$!
@@ -144,7 +167,7 @@ wait "$carlo" || code=$?
 
 # --- where it stands -----------------------------------------------------------------------------
 
-# Through a link, from elsewhere; the link of a link is none of its own folder.
+# Works through links, from any folder; a relative link is resolved from its own folder.
 mkdir "$scratch/links"
 ln -s ../tree/carlo "$scratch/links/first"
 ln -s "$scratch/links/first" "$scratch/second"

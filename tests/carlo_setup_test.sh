@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# carlo_setup_test.sh SOURCE VERBS: what ./carlo answers where nothing is installed or built, and how it sets
-# a machine up, with stand-ins for apt.
+# carlo_setup_test.sh SOURCE VERBS: tests what ./carlo says if nothing is installed or built, and
+# how it sets up a machine, with stand-ins for apt.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/stand_in_tree.sh"
 rm -rf "$tree/build"
 
-# calls PATTERN: what was called so far has such a line; forgets it.
+# called PATTERN: the log of calls has such a line; clears the log.
 called() {
   grep -Eq -e "$1" "$scratch/calls" || failed "nobody called $1 but: $(cat "$scratch/calls")"
   : >"$scratch/calls"
 }
 
-# installed_nothing WHEN: apt was asked for what it knows, at most.
+# installed_nothing WHEN: apt was only queried.
 installed_nothing() { ! grep -E -e '^(sudo|apt-get -qq)' "$scratch/calls" || failed "something was installed for $1"; }
 
 # --- nothing is there ----------------------------------------------------------------------------
@@ -26,7 +26,7 @@ expect 0 'developer' setup --help
 [ ! -e "$tree/build" ] || failed "something was built for a question"
 installed_nothing "a question"
 
-# A student's tree has fewer verbs; of the others it says so.
+# A student's tree has fewer verbs, and says so for the others.
 rm "$tree/solutions" "$tree/slides"
 mv "$tree/tests" "$tree/all_tests"
 expect 0 '^  render .*' --help
@@ -56,7 +56,7 @@ program "$tools/dpkg-query" 'for word in "$@"; do case $word in -*) ;; *) echo "
 expect 0 '^carlo: everything is installed$' setup
 expect 0 '^carlo: everything is installed$' setup --dry-run
 
-# Without apt: all that is missing is said, and who has built already is not kept from working.
+# Without apt: lists everything that is missing.
 for tool in bash env cat awk dirname readlink tr id sed grep uniq; do ln -sf "$(command -v "$tool")" "$scratch/"; done
 code=0
 text=$(PATH=$scratch "$tree/carlo" setup 2>&1) || code=$?

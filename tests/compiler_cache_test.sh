@@ -25,7 +25,7 @@ for word in first other; do
   printf '#include "included.h"\nint of(const Pair& pair) { return pair.%s; }\n' "$word" >unit.cpp
   CPATH=$work compile "$@"
 done
-# The cache does return what it holds.
+# The cache does return its entries.
 CPATH=$work compile "$@"
 hits=$(ccache --print-stats | awk '$1 == "direct_cache_hit" {print $2}')
 [ "${hits:-0}" -ge 2 ] || { echo "the cache found $hits of the last files, not all" && exit 1; }

@@ -48,3 +48,16 @@ make_own() { "$in_turn" "$build" --keep "$build/run/$1" program -- bash -c 'echo
 for name in {1..20}; do make_own "$name" & done
 wait
 for name in {1..20}; do [ "$(cat "$build/run/$name/program")" = "$name" ] || fail "another's program was kept"; done
+
+# What builds behind gives way at once, in silence, and does not begin beside another.
+mkdir "$build/behind"
+"$in_turn" "$build" --behind bash -c 'touch "$1/begun"; trap "touch $1/ended; exit" TERM; sleep 600 9>&- & wait' - "$build/behind" &
+until_there "$build/behind/begun"
+"$in_turn" "$build" bash -c '[ -e "$1/ended" ]' - "$build/behind" 3>"$build/told" || fail "beside what builds behind"
+[ ! -s "$build/told" ] || fail "told of what gives way: $(cat "$build/told")"
+wait
+[ ! -e "$build/.wanted" ] || fail "nobody waits, and .wanted stays"
+"$in_turn" "$build" bash -c '"$1" "$2" --behind touch "$2/behind/beside"' - "$in_turn" "$build"
+[ ! -e "$build/behind/beside" ] || fail "it began beside another"
+"$in_turn" "$build" --behind touch "$build/behind/alone"
+[ -e "$build/behind/alone" ] || fail "it does not begin alone"

@@ -2,7 +2,7 @@
 # A tree in which ./carlo runs with programs that are stand-ins: each prints how it was called. To be sourced
 # with SOURCE, the suite, and VERBS, the program carlo_verbs; it sets `scratch`, `tree` and `tools`.
 
-# Of whoever runs the tests; the tree here has its own.
+# The preset of whoever runs the tests does not apply to this tree.
 unset CARLO_PRESET
 # shellcheck disable=SC2154
 source=$1 verbs=$2
@@ -54,7 +54,7 @@ program "$tools/cmake" ''
 program "$tools/dpkg-query" 'for word in "$@"; do case $word in -*) ;; *) echo "installed $word 3.1-1" ;; esac; done'
 for name in apt-get apt-cache sudo; do program "$tools/$name" "printf '%s\n' \"$name \$*\" >>'$scratch/calls'"; done
 program "$tools/dpkg" '[[ ${2%%.*} -ge 3 ]]'
-# As root, whoever we are.
+# Pretends to be root, unless FAKE_ID is set.
 program "$tools/id" 'echo "${FAKE_ID:-0}"'
 : >"$scratch/calls"
 

@@ -131,7 +131,7 @@ done
 configured "$scratch/1" "${cmake_arguments[@]}"
 configured "$scratch/9" "${cmake_arguments[@]}"
 
-# As students do, whose compilers may be newer than ours.
+# Students' compilers may be newer than ours: their warnings are not errors.
 configured "$scratch/4"
 commands=$(ninja -C "$scratch/4/carlo/build/release" -t commands)
 grep -q -e -Wconversion <<<"$commands" && ! grep -q -e -Werror <<<"$commands" ||

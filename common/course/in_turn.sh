@@ -4,12 +4,29 @@
 # copies these programs of BUILD/bin into FOLDER before releasing the lock, so that a running
 # program is never one that is being linked.
 #
+# With --behind instead: at low priority, only while no other command wants its turn; does nothing if
+# one runs already. What it has built until then stays.
+#
 # While waiting, writes the holder's name to descriptor 3, if it is open. The lock belongs to
 # everything that the command starts: it is released when the last of them has ended, whichever was
 # killed. Exit code: the command's.
 set -euo pipefail
 build=$1 folder='' programs=()
 shift
+if [ "$1" = --behind ]; then
+  shift
+  command -v flock >/dev/null || exit 0
+  trap '' HUP
+  exec 9<>"$build/.turn"
+  flock -n 9 || exit 0
+  printf 'behind\n' >"$build/.turn"
+  nice -n 10 "$@" </dev/null >"$build/behind.log" 2>&1 &
+  while kill -0 $! 2>/dev/null; do
+    [ ! -e "$build/.wanted" ] || kill $! 2>/dev/null || true
+    sleep .1 9>&-
+  done
+  exit 0
+fi
 if [ "$1" = --keep ]; then
   folder=$2
   shift 2
@@ -21,9 +38,11 @@ fi
 if command -v flock >/dev/null; then
   exec 9<>"$build/.turn"
   if ! flock -n 9; then
+    touch "$build/.wanted"
     read -r holder <"$build/.turn" || true
-    { printf 'carlo: waiting for %s, which builds in the same folder ...\n' "${holder:-another ./carlo}" >&3; } 2>/dev/null || true
+    [ "$holder" = behind ] || { printf 'carlo: waiting for %s, which builds in the same folder ...\n' "${holder:-another ./carlo}" >&3; } 2>/dev/null || true
     flock 9
+    rm -f "$build/.wanted"
   fi
   printf '%s\n' "${CARLO_TURN_OF:-another program}" >"$build/.turn"
 fi

@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// The nearest point that a ray meets.
+/// The nearest intersection of a ray.
 struct Hit {
   float t = 0;              ///< distance along the ray
   Vec3 p{0};                ///< the point, recomputed from the surface (more accurate than o + t d)

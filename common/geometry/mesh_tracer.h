@@ -17,12 +17,12 @@ struct TrianglePoint {
   Vec3 p, error, n;
 };
 
-/// Where a ray meets a triangle: at o + t d, which is (1 - u - v) a + u b + v c.
+/// The intersection of a ray and a triangle: o + t d, which is (1 - u - v) a + u b + v c.
 struct TriangleHit {
   float t, u, v;
 };
 
-/// Computes the hit of a ray that, according to Embree, meets the triangle or nearly so: in double,
+/// Computes the hit of a ray that, according to Embree, hits the triangle or nearly so: in double,
 /// rounded once. Embree's own numbers depend on the processor's approximate reciprocals.
 TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 d,
                          const TriangleHit& about);
@@ -31,7 +31,7 @@ TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 
 TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
 
 /// Several rays o + x d, 0 < x < t, one column per coordinate; and their hits: the mesh's number,
-/// its triangle, and the place in it (triangle_point()). `t` becomes the distance.
+/// its triangle, and the point in it (triangle_point()). `t` becomes the distance.
 struct MeshRays {
   static constexpr std::size_t most = 16;
   template <class T>
@@ -53,8 +53,8 @@ class MeshTracer {
 
   const Mesh& mesh(std::size_t i) const { return *meshes_[i]; }
 
-  /// Bit i of `wanted` asks for ray i. Returns those that meet a triangle. Other rays are neither
-  /// read nor written.
+  /// Intersects the rays i with bit i of `wanted` set; returns those that hit a triangle. Other
+  /// rays are neither read nor written.
   std::uint32_t intersect(MeshRays& rays, std::uint32_t wanted) const;
 
   /// Returns those of the wanted rays with any hit.

@@ -16,7 +16,7 @@ struct ShadowRay {
 /// From `o`, clear of its own surface, to the point p of a surface with unit normal n and rounding
 /// error `p_error` (absolute, per coordinate); n = 0 for a point that lies on no surface. If
 /// occluded() leaves out the surface, it cannot be in the ray's way: then `shades_itself` is false,
-/// and the ray goes all the way.
+/// and the ray covers the whole distance.
 inline ShadowRay shadow_ray(Vec3 o, Vec3 p, Vec3 p_error, Vec3 n, bool shades_itself = true) {
   // Embree's distances are accurate to a few float roundings.
   const float end = shades_itself ? 1 - 1e-6f : 1;

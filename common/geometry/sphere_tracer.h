@@ -5,7 +5,7 @@
 
 namespace carlo {
 
-/// Finds where rays meet an Sdf by sphere tracing: since F has the Lipschitz bound 1, a step of |F|
+/// Intersects rays with an Sdf by sphere tracing: since F has the Lipschitz bound 1, a step of |F|
 /// cannot pass the surface. Source: Hart, "Sphere tracing: a geometric method for the antialiased
 /// ray tracing of implicit surfaces", 1996.
 ///

@@ -247,8 +247,8 @@ void convert_colours(const OIIO::ImageSpec& spec, ExrFile& file,
   }
   if (!matrix) return;
   convert(file.image, *matrix);
-  file.notes.push_back(
-      fmt::format("its chromaticities, {}, are taken to those of Rec. 709", text_of(primaries)));
+  file.notes.push_back(fmt::format("its chromaticities, {}, are converted to those of Rec. 709",
+                                   text_of(primaries)));
   // The correlation of the three channels' errors is not known.
   if (file.standard_error) file.notes.emplace_back("its standard errors are not used");
   file.standard_error.reset();

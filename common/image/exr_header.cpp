@@ -35,8 +35,8 @@ const std::map<std::string, std::uint32_t> sizes = {
     {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
     {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1}};
 
-/// What OpenEXR allocates for one block of lines, derived from three of the attributes. For a tiled
-/// part it is more than what OpenEXR needs.
+/// The memory that OpenEXR allocates for one block of lines, derived from three of the attributes;
+/// for a tiled part an upper bound.
 struct Block {
   std::uintmax_t width = 0, bytes_of_pixel = 0, lines = 1;
 
@@ -80,7 +80,7 @@ std::uintmax_t size_of_preview(std::istream& in) {
 }
 
 /// The number of bytes from which the value that starts here will be read; the attribute claims
-/// `claimed`. Records what it says about blocks.
+/// `claimed`. Records its information on blocks.
 std::uintmax_t size_of_value(std::istream& in, const std::string& name, const std::string& type,
                              std::uint32_t claimed, Block& block) {
   if (type == "chlist") return size_of_channels(in, block.bytes_of_pixel);

@@ -18,7 +18,7 @@ struct PixelSums {
   std::uint64_t samples = 0;
 };
 
-/// Accumulates the samples of an image, with an honest error estimate.
+/// Accumulates the samples of an image, with an estimate of the error.
 ///
 /// The samples of a pixel come in blocks of equal size (a power of two); the spread of the block
 /// means gives the standard error. For independent samples that estimate is unbiased. Blocks of

@@ -152,7 +152,7 @@ class HdrReader {
     }
     if (!matrix) return;
     convert(image, *matrix);
-    note(fmt::format("its PRIMARIES, {}, are taken to those of Rec. 709", text_of(primaries)));
+    note(fmt::format("its PRIMARIES, {}, are converted to those of Rec. 709", text_of(primaries)));
   }
 
   /// Fewer bytes than a row takes are not a row that the size leaves out, but an editor's end of
@@ -174,7 +174,7 @@ class HdrReader {
     const std::string_view text = line();
     const std::size_t x = text.find(" +X ");
     if (!text.starts_with("-Y ") || x == std::string_view::npos)
-      fail(fmt::format("its size is not told as -Y height +X width, the top row first, but as {}",
+      fail(fmt::format("its size is not given as -Y height +X width, the top row first, but as {}",
                        in_quotes(text)));
     const auto height = number<int>(text.substr(3, x - 3), "its height");
     const auto width = number<int>(text.substr(x + 4), "its width");

@@ -15,13 +15,13 @@ void require_same_size(const Image& a, const Image& b) {
               b.height);
 }
 
-/// z of the difference of means over the rectangle [x0, x1) x [y0, y1); `ties`: the part of the
-/// sum's variance that is due to correlation between pixels.
+/// z of the difference of means over the rectangle [x0, x1) x [y0, y1); `extra_variance`: the part
+/// of the sum's variance that is due to correlation between pixels.
 double rectangle_z(const Image& image, const Image& error, const Image& reference,
                    const Image& reference_error, int x0, int y0, int x1, int y1, int c,
-                   double ties = 0) {
+                   double extra_variance = 0) {
   CompensatedSum difference, variance;
-  variance.add(ties);
+  variance.add(extra_variance);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       difference.add(static_cast<double>(image.at(x, y)[c]) - reference.at(x, y)[c]);
@@ -61,13 +61,13 @@ ImageError compare(const Image& image, const Image& reference) {
 
 std::array<double, 3> bias_z(const Image& image, const Image& standard_error,
                              const Image& reference, const Image& reference_error,
-                             const std::array<double, 3>& ties) {
+                             const std::array<double, 3>& extra_variance) {
   require_same_size(image, reference);
   std::array<double, 3> z{};
   const double pixels = static_cast<double>(image.pixels.size());
   for (std::size_t c = 0; c < 3; ++c) {
     z[c] = rectangle_z(image, standard_error, reference, reference_error, 0, 0, image.width,
-                       image.height, static_cast<int>(c), ties[c] * pixels * pixels);
+                       image.height, static_cast<int>(c), extra_variance[c] * pixels * pixels);
   }
   return z;
 }

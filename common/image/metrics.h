@@ -20,11 +20,11 @@ struct ImageError {
 ImageError compare(const Image& image, const Image& reference);
 
 /// The difference of the means of two images in standard errors of that difference, per channel,
-/// from the standard errors of the two images' pixels. `ties`: the variance of the image's mean
-/// beyond that of independent pixels.
+/// from the standard errors of the two images' pixels. `extra_variance`: the variance of the
+/// image's mean beyond that of independent pixels.
 std::array<double, 3> bias_z(const Image& image, const Image& standard_error,
                              const Image& reference, const Image& reference_error,
-                             const std::array<double, 3>& ties = {});
+                             const std::array<double, 3>& extra_variance = {});
 
 /// The same for each tile of `tile` x `tile` pixels, tiles row by row, three channels per tile.
 std::vector<double> tile_z(const Image& image, const Image& standard_error, const Image& reference,

@@ -13,9 +13,9 @@ struct Primaries {
   std::array<double, 2> red, green, blue, white;
 };
 
-/// How a white other than Rec. 709's, D65, is converted. OpenEXR's colours are X, Y, Z, whatever
-/// the primaries: its project's versions of one picture in several primaries should look alike. In
-/// a Radiance picture R = G = B is meant to be grey.
+/// The treatment of a white other than Rec. 709's, D65. OpenEXR's colours are X, Y, Z, whatever the
+/// primaries: its project's versions of one picture in several primaries should look alike. In a
+/// Radiance picture R = G = B is meant to be grey.
 enum class White { kept, adapted };
 
 /// The linear map from such colours to Rec. 709; an adapted white becomes D65 by the Bradford

@@ -4,6 +4,10 @@
 
 namespace carlo {
 
+/// Side, in pixels, of the square tiles that are rendered at once; all pixels of a tile have the
+/// same number of blocks.
+constexpr int driver_tile_size = 16;
+
 /// The samples of a render, handed out in blocks (film.h) of tiles (driver.h). Blocks are numbered
 /// pass by pass: number p * tiles + t is the p-th block of each pixel of tile t.
 struct BlockGrid {
@@ -11,10 +15,16 @@ struct BlockGrid {
   std::uint32_t block = 1;   ///< samples per pixel
   std::uint32_t passes = 0;  ///< blocks per pixel
 
-  int columns() const;  ///< of tiles
-  std::uint64_t tiles() const;
+  /// The numbers of tiles across, and in all.
+  int columns() const { return tiles_along(width); }
+  std::uint64_t tiles() const {
+    return static_cast<std::uint64_t>(columns()) * static_cast<std::uint64_t>(tiles_along(height));
+  }
   std::uint64_t blocks() const { return tiles() * passes; }
   friend bool operator==(const BlockGrid&, const BlockGrid&) = default;
+
+ private:
+  static int tiles_along(int side) { return (side + driver_tile_size - 1) / driver_tile_size; }
 };
 
 /// The blocks [begin, end).

@@ -2,14 +2,17 @@
 
 #include "render/interrupt.h"
 #include "render/light_pass.h"
-#include "render/threads.h"
 #include "support/progress.h"
 #include "support/wall_clock.h"
 
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <mutex>
 #include <vector>
 
@@ -68,8 +71,8 @@ class Job {
            film_.blocks(corner_x(tile), corner_y(tile));
   }
 
-  /// Whether a tile's block belongs to this share and no earlier render has it.
-  bool lacks(int tile, std::uint64_t pass) const {
+  /// True if a tile's block belongs to this share and no earlier render has it.
+  bool is_missing(int tile, std::uint64_t pass) const {
     return next_pass(tile) <= pass &&
            share_.contains(pass * tiles() + static_cast<std::uint64_t>(tile));
   }
@@ -79,7 +82,7 @@ class Job {
     std::uint64_t first = passes;
     for (int tile = 0; tile < columns_ * rows_; ++tile) {
       const std::uint64_t next = next_pass(tile);
-      if (next < first && lacks(tile, next)) first = next;
+      if (next < first && is_missing(tile, next)) first = next;
       blocks_done_ += film_.blocks(corner_x(tile), corner_y(tile));
     }
     return static_cast<std::uint32_t>(first);
@@ -88,7 +91,8 @@ class Job {
   /// Fills in the results that follow from the others.
   void settle() {
     result_.seconds = earlier_seconds_ + clock_.seconds();
-    result_.counts.light_path_ties = result_.light_path_ties.value() / static_cast<double>(tiles());
+    result_.counts.splat_covariance =
+        result_.splat_covariance.value() / static_cast<double>(tiles());
   }
 
   /// Passes the current result to the checkpoint callback if it is due.
@@ -105,7 +109,7 @@ class Job {
   }
 
   void run_tile(int number, std::uint32_t pass, const LightPass& light_pass) {
-    if (stopped(pass) || !lacks(number, pass)) return;
+    if (stopped(pass) || !is_missing(number, pass)) return;
     Tile tile;
     tile.x0 = corner_x(number);
     tile.y0 = corner_y(number);
@@ -129,13 +133,13 @@ class Job {
     // A pass that is rendered in several runs traces its light paths in each; they are counted
     // once, with tile 0.
     if (number == 0) counts += light_pass.counts();
-    finish_tile(counts, light_pass.counts().light_path_ties);
+    finish_tile(counts, light_pass.counts().splat_covariance);
   }
 
-  void finish_tile(const Counts& counts, double light_path_ties) {
+  void finish_tile(const Counts& counts, double splat_covariance) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    result_.light_path_ties.add(light_path_ties);
+    result_.splat_covariance.add(splat_covariance);
     ++blocks_done_;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds
@@ -177,6 +181,18 @@ RenderResult render(const Integrator& integrator, int width, int height,
   if (!options.earlier) result.seconds += integrator.seconds_spent();
   result.interrupted = interrupt_noted();
   return result;
+}
+
+static constexpr std::size_t max_threads = 1024;
+
+int on_threads(int threads, const std::function<void()>& work) {
+  const int count = threads > 0 ? threads : static_cast<int>(tbb::info::default_concurrency());
+  // Lets arenas have more workers than there are cores. A single limit for the whole program,
+  // because TBB does not handle lowering and raising it again well.
+  static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
+  tbb::task_arena arena(count);
+  arena.execute(work);
+  return count;
 }
 
 }  // namespace carlo

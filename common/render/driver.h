@@ -31,20 +31,16 @@ struct RenderOptions {
 struct RenderResult {
   Film film;
   Counts counts{};
-  /// The sum over all blocks of all tiles (blocks.h) of the Counts::light_path_ties of the block's
+  /// The sum over all blocks of all tiles (blocks.h) of the Counts::splat_covariance of the block's
   /// pass; exact, so that it does not depend on how the blocks were shared out.
-  ExactSum light_path_ties{};
+  ExactSum splat_covariance{};
   double seconds = 0;
   int threads = 1;
   bool interrupted = false;  ///< by Ctrl-C; the film holds the finished blocks
   /// The covariances of the pixels caused by light paths, summed over all pairs; nothing if
-  /// they follow from light_path_ties.
+  /// they follow from splat_covariance.
   std::optional<double> light_path_covariance = {};
 };
-
-/// Side, in pixels, of the square tiles that are rendered at once; all pixels of a tile have the
-/// same number of blocks.
-constexpr int driver_tile_size = 16;
 
 /// Returns the size of the blocks (film.h) for a planned number of samples: the largest power of
 /// two that divides spp, leaves at least eight blocks if possible, and is at most 64.
@@ -54,5 +50,9 @@ std::uint32_t block_size(std::uint32_t spp);
 /// has the same bits for any number of threads. Rethrows exceptions of the integrator.
 RenderResult render(const Integrator& integrator, int width, int height,
                     const RenderOptions& options);
+
+/// Runs `work` in an arena of this many threads (0: one per core), which TBB's algorithms use.
+/// Returns the number of threads. Rethrows exceptions of `work`.
+int on_threads(int threads, const std::function<void()>& work);
 
 }  // namespace carlo

@@ -44,7 +44,7 @@ struct Counts {
   /// The covariances of the image's pixels caused by light paths that reach several pixels,
   /// summed over all these paths and divided by the squared share that was traced; in squared
   /// luminances of the image's mean.
-  double light_path_ties = 0;
+  double splat_covariance = 0;
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
@@ -52,7 +52,7 @@ struct Counts {
     light_paths += other.light_paths;
     cut += other.cut;
     bad += other.bad;
-    light_path_ties += other.light_path_ties;
+    splat_covariance += other.splat_covariance;
     return *this;
   }
 };
@@ -81,7 +81,7 @@ class BlockSum {
   std::array<double, 3> sum_{};
 };
 
-/// Whether Ctrl-C asked the running render to end. A path that may be very long checks it now and
+/// True if Ctrl-C asked the running render to end. A path that may be very long checks it now and
 /// then; its result is then discarded.
 bool render_interrupted();
 
@@ -94,12 +94,12 @@ class Integrator {
   /// The name of the chosen kernel, for the report.
   virtual std::string name() const = 0;
 
-  /// The seconds it took to decide how to render; they count as rendering time.
+  /// The seconds spent on deciding how to render; they count as rendering time.
   virtual double seconds_spent() const { return 0; }
 
-  /// The least probability with which a path asks a light that can reach its vertex
+  /// The least probability with which a path samples a light that can contribute at its vertex
   /// (light_coverage.h); 1 if there is no choice.
-  virtual double least_light_chance() const { return 1; }
+  virtual double least_light_probability() const { return 1; }
 
   /// The number of light paths that an image needs, besides its tiles, per sample of each
   /// pixel; 0 if all light is found from the camera.
@@ -107,8 +107,8 @@ class Integrator {
 
   /// Traces light paths, by their numbers in the stream: each sample of an image of `pixels`
   /// has `light_paths() * pixels` of them; if only a share is traced, the first ones. A pixel's
-  /// radiance is the sum of its splats over the number of traced paths. Adds to light_path_ties the
-  /// products of every two splats of a path, in both orders, in squared luminances of splats.
+  /// radiance is the sum of its splats over the number of traced paths. Adds to splat_covariance
+  /// the products of every two splats of a path, in both orders, in squared luminances of splats.
   virtual void trace_light_paths(const LightPaths& /*paths*/, Splats& /*splats*/,
                                  Counts& /*counts*/) const {}
   /// The unit of splats for which the sums of `paths` paths cannot overflow.

@@ -14,7 +14,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// Whether one of these signals was noted since the outermost guard was made. From any thread.
+/// True if one of these signals was noted since the outermost guard was made. From any thread.
 bool interrupt_noted();
 
 /// The number of the signal noted last; 0 if there was none.

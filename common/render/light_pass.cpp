@@ -32,12 +32,12 @@ LightPass::LightPass(const Integrator& integrator, std::size_t pixels, std::uint
             parts[part]);
       },
       tbb::simple_partitioner{});
-  // In order, because light_path_ties is not a whole number.
+  // In order, because splat_covariance is not a whole number.
   for (const Counts& part : parts)
     counts_ += part;
   const double per_image = share_ * static_cast<double>(pixels);
-  counts_.light_path_ties =
-      (counts_.light_path_ties - paths_ * products_of_means(pixels)) / (per_image * per_image);
+  counts_.splat_covariance =
+      (counts_.splat_covariance - paths_ * products_of_means(pixels)) / (per_image * per_image);
 }
 
 double LightPass::products_of_means(std::size_t pixels) const {

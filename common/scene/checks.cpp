@@ -44,7 +44,7 @@ void zero_or_above(const XmlElement& property) {
 
 void an_angle(const XmlElement& property) {
   const float value = number_value(property);
-  // What matters is the tangent of half the angle, as a float.
+  // Only the tangent of half the angle matters, as a float.
   const auto tangent = static_cast<float>(std::tan(glm::radians(static_cast<double>(value)) / 2));
   if (!(value > 0 && value < 180 && tangent > 0)) {
     wrong(property, "must be within (0, 180) degrees, got {}", value);

@@ -35,7 +35,7 @@ class Grammar {
     }
     object.broken = object.broken || errors_.count() > before;
     all_known = check_objects(object) && all_known;
-    // What seems to be missing may be one of the unknown elements.
+    // An element that seems to be missing may be one of the unknown ones.
     if (object.plugin != nullptr && all_known) check_required(object, given);
   }
 

@@ -1,16 +1,14 @@
 #include "scene/load_scene.h"
 
 #include "scene/center.h"
-#include "scene/clip.h"
 #include "scene/digits.h"
 #include "scene/duplicate_lights.h"
 #include "scene/envmap_file.h"
 #include "scene/grammar.h"
-#include "scene/ids.h"
 #include "scene/materials.h"
+#include "scene/names.h"
 #include "scene/parameters.h"
 #include "scene/properties.h"
-#include "scene/root.h"
 #include "scene/sensor.h"
 #include "scene/shapes.h"
 #include "scene/text.h"
@@ -21,6 +19,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -28,6 +27,45 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// An element that identifies a Nori scene: cameras and meshes have names of their own there, and
+/// the root has no version.
+const XmlElement* nori_element(const XmlElement& root) {
+  constexpr std::array names = {"camera", "mesh", "test"};
+  const auto is_nori = [&](const XmlElement& child) {
+    return std::find(names.begin(), names.end(), child.name) != names.end();
+  };
+  if (root.name == "test") return &root;
+  const auto found = std::find_if(root.children.begin(), root.children.end(), is_nori);
+  return root.find("version") != nullptr || found == root.children.end() ? nullptr : &*found;
+}
+
+/// Throws Error at a root element that is not a Mitsuba scene, such as one of Nori.
+void check_root(const XmlElement& root, SceneErrors& errors) {
+  if (const XmlElement* nori = nori_element(root)) {
+    fail(
+        nori->at,
+        "<{}> is of Nori's scene format, which is not read: Mitsuba's has <scene version=\"0.6.0\">, "
+        "<sensor> for <camera>, <shape> for <mesh>, <rgb> for <color>",
+        nori->name);
+  }
+  if (root.name != "scene") {
+    fail(root.at, "the root element is <{}>, expected <scene>", root.name);
+  }
+  root.allow_only({"version"}, errors);
+}
+
+/// The dialect according to the attribute `version`. Throws Error at an unsupported version, or at
+/// the element.
+Dialect dialect(const XmlElement& root) {
+  const XmlAttribute& version = root.get("version");
+  const auto known = dialect_of(version.value);
+  if (!known) {
+    fail(version.value_at, "scene version {} is not supported, expected 0.5.x, 0.6.x, 2.x or 3.x",
+         in_quotes(version.value));
+  }
+  return *known;
+}
 
 constexpr std::size_t most_files = 1000;  // includes of includes multiply
 

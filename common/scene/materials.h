@@ -1,8 +1,8 @@
 #pragma once
 
-#include "scene/ids.h"
 #include "scene/properties.h"
 #include "scene/scene.h"
+#include "scene/xml_source.h"
 
 #include <cstdint>
 #include <map>
@@ -10,6 +10,19 @@
 #include <vector>
 
 namespace carlo {
+
+/// The ids of a scene and its includes: each names one object.
+class Ids {
+ public:
+  /// Declares the ids of `element` and everything below it, and reports those already taken.
+  void declare(const XmlElement& element, SceneErrors& errors);
+
+  /// The element name ("bsdf") of the object with that id; null if there is none.
+  const std::string* kind(const std::string& id) const;
+
+ private:
+  std::map<std::string, std::string> kinds_;
+};
 
 /// The largest exponent of a Phong lobe. Larger ones are replaced by this one, with a note: its
 /// lobe is 5e-7 wide, as narrow as float directions allow, and above 1e15 their rounding would

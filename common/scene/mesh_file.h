@@ -44,7 +44,7 @@ MeshFile read_ply(const std::filesystem::path& path);
 /// Adds a face of at least three corners; a polygon provisionally as a fan.
 void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place);
 
-/// Cuts polygons again that a fan does not fit (polygon.h), once all positions are known. `place`:
+/// Cuts polygons again that a fan does not fit, once all positions are known. `place`:
 /// the separator before place numbers, such as ":" for lines. Throws Error "NAME<place>12: what is
 /// wrong".
 void cut_polygons(MeshFile& mesh, const std::string& name, std::string_view place);

@@ -1,6 +1,5 @@
 #include "scene/mesh_file.h"
 #include "scene/ply_data.h"
-#include "scene/ply_header.h"
 #include "scene/text.h"
 #include "support/atomic_file.h"
 #include "support/byte_order_mark.h"

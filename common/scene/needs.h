@@ -7,8 +7,8 @@
 
 namespace carlo {
 
-/// What a scene demands of a renderer: the numbers of each shape and light, and the materials that
-/// occur on shapes. "Only what a scene needs is modelled": a renderer picks its kernel by this.
+/// The demands of a scene on a renderer: the numbers of each shape and light, and the materials
+/// that occur on shapes. A renderer chooses its kernel by this.
 struct Needs {
   std::size_t parallelograms = 0, spheres = 0, disks = 0, meshes = 0, triangles = 0, sdfs = 0;
   bool diffuse = false, phong = false, mirror = false, dielectric = false;

@@ -29,7 +29,7 @@ Rules sensor_rules() {
   return {{"fov", an_angle, Treatment::read, "", "float"},
           {"fovAxis", is<fov_axis_value>},
           to_world,
-          {"nearClip", above_zero, none},  // checked in clip.h
+          {"nearClip", above_zero, none},  // checked in sensor.h
           {"farClip", above_zero, none},
           {"focusDistance", any_number, none},
           {"shutterOpen", any_number, none},

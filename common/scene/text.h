@@ -30,8 +30,8 @@ std::optional<double> parse_number(std::string_view text);
 /// The same for an integer that fits into an int.
 std::optional<int> parse_integer(std::string_view text);
 
-/// What a text that parse_number() refuses should have been, for messages: "a finite number", or
-/// for one that is too large or too small "a number within float's range".
+/// The expected kind of number, for a message about a text that parse_number() refuses: "a finite
+/// number", or for one that is too large or too small "a number within float's range".
 std::string_view number_wanted(std::string_view text);
 /// The same for one of several.
 std::string_view numbers_wanted(std::string_view text);

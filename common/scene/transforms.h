@@ -17,7 +17,7 @@ bool check_steps(const XmlElement& transform, SceneErrors& errors);
 /// Points are column vectors; <matrix> is written row by row.
 glm::dmat4 parse_transform(const XmlElement& element);
 
-/// What the steps of a checked <transform> mean here and do not mean in Mitsuba.
+/// Notes on steps of a checked <transform> whose meaning differs from Mitsuba's.
 std::vector<std::string> notes_on_steps(const XmlElement& transform);
 
 /// True if the transform mirrors: a counter-clockwise triangle becomes a clockwise one.

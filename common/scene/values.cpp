@@ -1,20 +1,53 @@
 #include "scene/values.h"
 
-#include "scene/media.h"
 #include "scene/text.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace carlo {
 namespace {
+
+// Refractive indices at 589 nm (Bass et al., "Handbook of Optics"; the values of Mitsuba 0.6).
+constexpr std::array<std::pair<std::string_view, float>, 9> indices = {{
+    {"vacuum", 1.0f},
+    {"air", 1.000277f},
+    {"water", 1.333f},
+    {"water ice", 1.31f},
+    {"fused quartz", 1.458f},
+    {"pyrex", 1.47f},
+    {"acrylic glass", 1.49f},
+    {"bk7", 1.5046f},
+    {"diamond", 2.419f},
+}};
+
+/// The refractive index of a medium by its name in Mitsuba; nothing for unknown names.
+std::optional<float> medium_ior(std::string_view name) {
+  for (const auto& [medium, ior] : indices) {
+    if (medium == name) return ior;
+  }
+  return {};
+}
+
+/// The names of all media.
+std::vector<std::string> media() {
+  std::vector<std::string> out;
+  for (const auto& [medium, ior] : indices)
+    out.emplace_back(medium);
+  return out;
+}
 
 // Light of equal energy at each wavelength (X = Y = Z = 1) in linear sRGB, as in Mitsuba 3.
 constexpr Rgb equal_energy{1.2048f, 0.9483f, 0.9089f};

@@ -28,7 +28,7 @@ double log_ratio_minus(double x, double a) {
   return r * (2 * y * sum - t);
 }
 
-/// What Stirling's formula lacks of log Gamma(a + 1), for a >= 10.
+/// log Gamma(a + 1) minus Stirling's formula for it, a >= 10.
 double stirling_error(double a) {
   const double s = 1 / (a * a);
   return (1.0 / 12 - s * (1.0 / 360 - s * (1.0 / 1260 - s * (1.0 / 1680 - s / 1188)))) / a;

@@ -131,7 +131,7 @@ void dimensions_experiment(Notebook& notebook) {
   notebook.say(
       "The integral of exp(x_1 + ... + x_d) over the unit cube; errors are relative. With N points "
       "in all, the nested rule has only N^(1/d) of them a side, so its error falls as N^(-2/d). "
-      "Monte Carlo's slope does not know the dimension. Where the two fitted lines meet, Monte "
+      "Monte Carlo's slope does not depend on the dimension. Where the two fitted lines meet, Monte "
       "Carlo takes over: counted in points, and in seconds, for a random point costs more than a "
       "point of a grid. A crossing outside the measured range is an extrapolation; \"undecided\" "
       "means that the two slopes cannot be told apart.");

@@ -86,7 +86,7 @@ void rules_experiment(Notebook& notebook) {
 
   notebook.say(
       "The integral of 1/x over [1, 3], which is ln 3. N counts evaluations of the integrand, the "
-      "same coin for all. Rules have no randomness: their error is |estimate - ln 3|. Points below "
+      "same unit for all. Rules have no randomness: their error is |estimate - ln 3|. Points below "
       "the rounding errors of double are drawn but not fitted.");
   const std::vector<Curve> plain = curves_of(curves);
   notebook.table("rules", measurement_table(plain, 3), "Integral of 1/x over [1, 3]");

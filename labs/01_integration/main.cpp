@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
           "Simpson, down to the rounding errors. Nested in d dimensions the -2 becomes -2/d: "
           "steeper than -1/2 below d = 4, flatter above.",
           "Where the variance is infinite, Monte Carlo converges more slowly and its error bars "
-          "are not to be trusted; a rare spike fools them until it has been met often.",
+          "are not to be trusted; a rare spike fools them until it has been hit often.",
           "A variance by Welford's update does not care how large the mean is.",
           "Error bars of Lab 1.7 hold the exact volume about 95 times in 100."}};
   return carlo::run_lab(lab, argc, argv);

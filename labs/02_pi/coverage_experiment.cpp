@@ -113,7 +113,7 @@ void coverage_experiment(Notebook& notebook) {
   if (!done) return;
   notebook.say(
       "An interval of 95 % is a promise about a procedure: in 95 of 100 runs it holds the truth. "
-      "The estimate ± 1.96 standard errors measures its own width on the hits, and with few hits, "
+      "The estimate ± 1.96 standard errors takes its width from the hits, and with few hits, "
       "or few misses, it is too sure of itself; with none its width is 0. The score interval takes "
       "the width that belongs to each candidate value. Neither can be exact for every N, because "
       "the count of hits is a whole number.");

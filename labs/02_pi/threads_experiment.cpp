@@ -91,7 +91,7 @@ void threads_experiment(Notebook& notebook) {
     notebook.say(
         same ? "Chunk i draws from stream i whoever works on it, and the chunks are added up in "
                "their order: the sums agree to the last bit. More threads than the machine has "
-               "cores bring nothing."
+               "cores gain nothing."
              : "The sums are not the same for all numbers of threads: see the column of bits.");
     notebook.table("threads", runs_table(runs), "4 √(1 − x²) by Lab 2.6, the best time of each");
     notebook.charts({threads_chart(runs)});

@@ -131,7 +131,8 @@ Outcome rank_words_test(const Sample& sample) {
   return ranks(sample.words.size() / 128, of_words, sample);
 }
 
-// Of n random bits, 2^min(2n - 2L, 2L - 1) / 2^n have the complexity L > 0 (Rueppel 1986).
+// A fraction 2^min(2n - 2L, 2L - 1) / 2^n of all sequences of n bits has complexity L > 0 (Rueppel
+// 1986).
 Outcome linear_complexity_test(const Sample& sample) {
   const std::size_t n = sample.words.size();
   if (n < 1024) return std::nullopt;

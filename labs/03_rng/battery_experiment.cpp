@@ -216,9 +216,9 @@ void battery_experiment(Notebook& notebook) {
   const std::vector<RandomnessTest> tests = runnable_tests(notebook);
   const std::vector<Row> rows = judge_all(notebook, tests);
   notebook.say(
-      "Each test looks at the first 2^10, 2^11, ... numbers of a stream, as long as it knows the "
-      "distribution of its result there. A generator is rejected when a perfect one would come out "
-      "so far off, to either side, once in 10^10 tries.");
+      "Each test looks at the first 2^10, 2^11, ... numbers of a stream, as long as the "
+      "distribution of its result is known. A generator is rejected if a perfect one would be that "
+      "far off, to either side, once in 10^10 tries.");
   if (rows.empty() || tests.empty()) return;
   notebook.table("battery", short_table(tests, rows), legend(tests), heat_map(tests, rows));
   notebook.data("battery_tails", tails_table(tests, rows), "Both tails of every test");

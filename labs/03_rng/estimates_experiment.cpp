@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-// What a generator's weakness does to an estimate: a little, or everything.
+// How a generator's weakness affects an estimate: a little, or completely.
 
 namespace lab03 {
 namespace {

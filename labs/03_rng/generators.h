@@ -77,4 +77,9 @@ const std::vector<Generator>& generators();
 /// The generator with that key. Throws carlo::Error listing all keys.
 const Generator& find_generator(std::string_view key);
 
+/// Writes the numbers of a generator to standard output for an external battery: 32-bit
+/// little-endian words, until the reader closes the pipe. Throws carlo::Error when the generator is
+/// unknown, when standard output is a terminal, or when writing fails for any other reason.
+void write_raw_stream(const std::string& key, std::uint64_t seed);
+
 }  // namespace lab03

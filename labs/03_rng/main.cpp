@@ -1,14 +1,14 @@
 #include "course/cli/arguments.h"
 #include "course/report/lab_app.h"
 #include "experiments.h"
-#include "raw_stream.h"
+#include "generators.h"
 
 int main(int argc, char** argv) {
   std::string stream;
   carlo::LabApp lab{
       .number = 3,
       .title = "Lab 03: random numbers",
-      .subtitle = "Making them, bending them to ranges, and finding out what is wrong with them.",
+      .subtitle = "Making them, mapping them to ranges, and finding out what is wrong with them.",
       .n = 1 << 24,
       .quick_n = 1 << 18,
       .experiments = {lab03::planes_experiment, lab03::battery_experiment,
@@ -16,13 +16,12 @@ int main(int argc, char** argv) {
                       lab03::speed_experiment},
       .what_you_should_see = {
           "RANDU's triples lie on 15 planes, and one look along them shows it. The lecture's LCG "
-          "has "
-          "some 2000 planes: you have to come as close as a small corner of the cube to see them.",
+          "has some 2000 planes: to see them you have to look at a small corner of the cube.",
           "No single test is enough. Equal frequencies and no correlation of neighbours catch "
           "almost nothing; the lowest bits, birthday spacings and matrix ranks catch what is "
-          "linear; lagged Fibonacci falls to anything that looks across its lags. PCG32, "
-          "xoshiro128++, Philox and splitmix64 pass everything here; mt19937 fails only linear "
-          "complexity.",
+          "linear; lagged Fibonacci fails every test that compares numbers across its lags. "
+          "PCG32, xoshiro128++, Philox and splitmix64 pass everything here; mt19937 fails only "
+          "linear complexity.",
           "For most integrands a weak generator is good enough, and that is what makes it "
           "dangerous: with a wave along its planes the error of an LCG stays where it is however "
           "large N grows.",

@@ -15,7 +15,7 @@ namespace lab04 {
 std::string point_picture(std::string_view title, std::string_view note,
                           const std::vector<Point>& points, int lines);
 
-/// What is drawn under the strata: the quarter disc, or the peak.
+/// The integrand drawn under the strata: the quarter disc, or the peak.
 enum class Background { disc, peak };
 
 /// One tile: the strata as boxes, darker the denser their points, over the integrand.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-// What the point sets look like.
+// Pictures of the point sets.
 
 namespace lab04 {
 namespace {
@@ -54,7 +54,7 @@ void point_sets_experiment(Notebook& notebook) {
     });
   }
   notebook.say(
-      "Each point alone is uniform in all five; they differ in how the points know of each other. "
+      "Each point alone is uniform in all five; they differ in how the points depend on one another. "
       "The grid has 8 × 8 cells; the marks below and to the left show where the points fall along "
       "each axis.");
   notebook.raw_html(carlo::tiles(pictures, 12.25));

@@ -35,7 +35,7 @@ class Alias {
       large.pop_back();
       small.push_back(rich);
     }
-    // What rounding left over: these bins are full.
+    // Bins that rounding left over are full.
     for (const auto* rest : {&small, &large}) {
       for (const std::uint32_t i : *rest)
         bins_[i] = {1, i};

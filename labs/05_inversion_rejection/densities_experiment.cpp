@@ -125,9 +125,9 @@ void densities_experiment(Notebook& notebook) {
   notebook.attempt([&] { show(tabulated()); });
   if (pictures.empty()) return;
   notebook.say(
-      "Bars: how many of N samples fell into each of 48 cells. Line: the density that stands "
-      "beside the sampler. The χ² test compares each bar with the density's integral over its "
-      "cell; cells where fewer than 100 samples are expected are pooled with their neighbours.");
+      "Bars: how many of N samples fell into each of 48 cells. Line: the density that belongs to "
+      "the sampler. The χ² test compares each bar with the density's integral over its cell; "
+      "cells where fewer than 100 samples are expected are pooled with their neighbours.");
   notebook.table("densities", table, "Samples against the integrals of their densities");
   notebook.raw_html(carlo::tiles(pictures, 19));
   notebook.say(

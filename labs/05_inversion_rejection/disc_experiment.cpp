@@ -22,7 +22,7 @@ struct Way {
   bool rejects = false;
 };
 
-/// The obvious formula, the subject of this experiment and no example.
+/// The obvious formula: the subject of the experiment, not an example.
 Point crowded(double u_radius, double u_angle) {
   const double angle = 2 * std::numbers::pi * u_angle;
   return {u_radius * std::cos(angle), u_radius * std::sin(angle)};

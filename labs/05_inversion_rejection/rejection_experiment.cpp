@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-// Which darts are kept, how many it takes, and the cost of a sample of either kind.
+// The darts kept, the number needed, and the cost of a sample of either kind.
 
 namespace lab05 {
 namespace {

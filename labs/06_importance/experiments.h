@@ -12,7 +12,7 @@ using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::
 using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
     carlo::best_seconds, carlo::slope_cell;
 
-/// Repeats more often where it is cheap, so that slopes are not lost in noise.
+/// The number of repetitions: more where they are cheap, so that slopes are not lost in noise.
 inline int repetitions(const Notebook& notebook, std::int64_t n) {
   const std::int64_t wanted = 2'000'000 / n;
   return notebook.repetitions(static_cast<int>(std::clamp<std::int64_t>(wanted, 400, 4000)));

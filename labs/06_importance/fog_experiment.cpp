@@ -20,7 +20,7 @@ namespace {
 /// The ray runs from t = -3, the camera, to t = 9; t = 0 is nearest to the light.
 constexpr double first = -3, last = 9, fog = 0.5;
 
-/// Transmittance from the camera times the light source's light at t.
+/// Transmittance from the camera to t times the irradiance there.
 Function scattered(double height) {
   return [=](double t) {
     return t <= last ? std::exp(-fog * (t - first)) / (height * height + t * t) : 0;
@@ -107,11 +107,12 @@ void sweep(Notebook& notebook) {
       {"way", "height", "estimates", "mean/exact", "z", "sd of one sample", "time of an estimate",
        "efficiency"},
       {"way", "height", "estimates", "estimate", "z", "relative_sd", "seconds", "efficiency"});
-  carlo::Chart chart{"Spread against the light's distance",
-                     "left the light's peak rules, right the fog; for two samples times √2",
-                     {"distance of the light from the ray"},
-                     {"relative standard deviation of one sample"},
-                     {}};
+  carlo::Chart chart{
+      "Spread against the light's distance",
+      "on the left the light's peak dominates, on the right the fog; for two samples times √2",
+      {"distance of the light from the ray"},
+      {"relative standard deviation of one sample"},
+      {}};
   for (const FogWay& way : fog_ways()) {
     carlo::Series series{way.name, {}};
     notebook.attempt([&] {
@@ -132,9 +133,9 @@ void sweep(Notebook& notebook) {
   notebook.table("fog", table,
                  "Single scattering; efficiency is 1/(relative variance × time), in 1/s");
   notebook.say(
-      "Choosing one technique by chance keeps half of what it is uncertain about: even where the "
-      "light's angle is all but exact, half of the samples go elsewhere and bring nothing. One "
-      "sample of each, with the same weights, does not have that chance left in it.");
+      "Choosing one technique at random adds the variance of the choice: even where sampling the "
+      "light's angle is almost exact, half of the samples go elsewhere and contribute almost "
+      "nothing. One sample of each, with the same weights, avoids that variance.");
 }
 
 void vacuum(Notebook& notebook) {
@@ -176,10 +177,10 @@ std::string picture(double height, std::string_view title) {
 void fog_experiment(Notebook& notebook) {
   notebook.begin("A light in fog");
   notebook.say(
-      "What reaches the camera along a ray is an integral over the ray: at each point t the light's "
-      "light, 1/(height² + t²), dimmed by exp(-fog × way) on its way back. Two densities offer "
-      "themselves, one for each factor. Close to the light the one is hopeless, far from it the "
-      "other; both together are good in between and never hopeless.");
+      "The light that reaches the camera along a ray is an integral over the ray: at each point "
+      "t the irradiance, 1/(height² + t²), attenuated by exp(-fog × distance) on its way back. "
+      "Two densities suggest themselves, one for each factor. Close to the light one is "
+      "hopeless, far from it the other; both together are good in between and never hopeless.");
   notebook.attempt([&] {
     const std::string near = picture(0.1, "Close: the light's peak");
     notebook.raw_html(carlo::tiles(

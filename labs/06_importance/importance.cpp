@@ -11,7 +11,7 @@ namespace lab06 {
 // Lab 6.1 -----------------------------------------------------------------------------------------
 
 double contribution(const Function& f, const Density& p, double x) {
-  // 1. Ask for the pdf once. What is no density is an error.
+  // 1. Call the pdf once. A value that is no density is an error.
   // 2. Decide what a point of density 0 contributes, before you divide.
   // 3. Divide.
   carlo::not_implemented("Lab 6.1", "Importance Sampling");
@@ -75,7 +75,7 @@ std::vector<double> rejection_contributions(const Function& f, const Function& g
                                             carlo::Rng& rng) {
   // 1. Throw each dart at [a, b) x [0, g_max): x first, then y. Check what g promises.
   // 2. Which density do the kept x have, counted per dart thrown? f over that density; f is not
-  //    asked elsewhere.
+  //    called elsewhere.
   // 3. A dart that is lost contributes as well: what?
   carlo::not_implemented("Lab 6.5", "Generating Random Points");
 }
@@ -83,7 +83,7 @@ std::vector<double> rejection_contributions(const Function& f, const Function& g
 // Lab 6.6 -----------------------------------------------------------------------------------------
 
 double balance_weight(Effort own, Effort other) {
-  // 1. Who could not have drawn the point at all?
+  // 1. Which technique could not have drawn the point at all?
   // 2. The share, from a ratio: neither sum nor product may leave the range of double.
   carlo::not_implemented("Lab 6.6", "Importance Sampling");
 }

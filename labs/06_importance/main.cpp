@@ -16,9 +16,9 @@ int main(int argc, char** argv) {
           "measured values lie on the closed form wherever that is finite.",
           "Any p that covers f gives the right mean. A better p shifts the line of the error down "
           "and leaves its slope at -1/2; one that is 0 where f is not ends on a bias.",
-          "A p that is too thin in the tails breaks the slope. Its runs look calm and are too low "
-          "until a single sample lifts them; Hill's index and the largest share tell without the "
-          "exact value being known. A tenth of a uniform density mends it.",
+          "A p that is too thin in the tails breaks the slope. Its runs look calm and are too "
+          "low until a single sample lifts them; Hill's index and the largest share tell without "
+          "the exact value being known. Mixing in a tenth of a uniform density cures it.",
           "Rejection samples need no integral of g when lost darts count as zeros.",
           "Of the light's and the fog's density, and of the plates' two techniques, each fails "
           "where the other is good. With weights the combination stays close to the better one "

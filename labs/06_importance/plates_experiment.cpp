@@ -1,11 +1,12 @@
 #include "course/report/tiles.h"
 #include "experiments.h"
+#include "importance.h"
 #include "pictures.h"
-#include "plates.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -14,6 +15,71 @@
 
 namespace lab06 {
 namespace {
+
+// Veach's plates in one dimension. Directions are numbers x; four lights of equal power lie along
+// the line, from a point to a panel; four plates reflect, from nearly mirror-like to nearly matt. A
+// pixel looks in the mirror direction m and sees the lights blurred by the plate's lobe around m.
+
+struct Light {
+  double centre, half_width;
+  double radiance() const { return 1 / (2 * half_width); }
+};
+
+constexpr std::array<Light, 4> plate_lights = {
+    {{0.125, 0.0008}, {0.375, 0.005}, {0.625, 0.025}, {0.86, 0.09}}};
+/// The scales of the plates' lobes.
+constexpr std::array<double, 4> plate_scales = {0.0006, 0.003, 0.012, 0.05};
+
+double radiance(double x) {
+  double sum = 0;
+  for (const Light& light : plate_lights)
+    sum += std::abs(x - light.centre) < light.half_width ? light.radiance() : 0;
+  return sum;
+}
+
+/// The integral of the lobe from minus infinity to x.
+double logistic_cdf(double x, double centre, double scale) {
+  return 1 / (1 + std::exp(-(x - centre) / scale));
+}
+
+/// The radiance from direction x times the lobe of the plate around m.
+Function plate_integrand(double m, double scale) {
+  const Density lobe = logistic_density(m, scale);
+  return [lobe](double x) {
+    const double light = radiance(x);
+    return light > 0 ? light * lobe.pdf(x) : 0;
+  };
+}
+
+/// Its integral.
+double plate_exact(double m, double scale) {
+  double sum = 0;
+  for (const Light& light : plate_lights) {
+    const double from = light.centre - light.half_width, to = light.centre + light.half_width;
+    // Uses the side of the lobe where both values are small, so that no digits are lost.
+    const double part =
+        from > m ? logistic_cdf(2 * m - from, m, scale) - logistic_cdf(2 * m - to, m, scale)
+                 : logistic_cdf(to, m, scale) - logistic_cdf(from, m, scale);
+    sum += light.radiance() * part;
+  }
+  return sum;
+}
+
+/// The two techniques: choose a light, then a point on it; or draw a direction from the lobe.
+Density light_technique() {
+  constexpr auto count = static_cast<double>(plate_lights.size());
+  return {[](double u) {
+            const auto i = static_cast<std::size_t>(u * count);
+            const Light& light = plate_lights.at(i);
+            const double place = u * count - static_cast<double>(i);
+            return light.centre + (2 * place - 1) * light.half_width;
+          },
+          [](double x) { return radiance(x) / count; }};
+}
+
+Density lobe_technique(double m, double scale) {
+  return logistic_density(m, scale);
+}
 
 /// A pixel's estimate from `samples` samples in all.
 struct PlateWay {

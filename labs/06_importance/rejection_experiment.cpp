@@ -80,9 +80,9 @@ void mistakes(Notebook& notebook) {
       {"the same times the share kept, which estimates ∫g", mean(kept) * share, power_integral});
   table.add_row({"f/g times ∫g = 1/3, where it is known", mean(kept) / 3, power_integral});
   notebook.say(
-      "g = x² is no density: its integral is 1/3. Dividing by g alone is off by 1/∫g. Where ∫g is "
-      "not known, the darts know it: the share kept is ∫g/((b - a) g_max), and lost darts counted "
-      "as zeros bring it in without being asked.");
+      "g = x² is no density: its integral is 1/3. Dividing by g alone is off by 1/∫g. Where ∫g "
+      "is not known, the darts estimate it: the share kept is ∫g/((b - a) g_max), and lost darts "
+      "that count as zeros include it automatically.");
   notebook.table("unnormalised", table, "What to divide by");
 }
 

@@ -46,8 +46,8 @@ void weights_experiment(Notebook& notebook) {
   if (!done) return;
   notebook.say(
       "The lobe of a good mirror, a light that is all but a point, or the product of the pdfs "
-      "along a path leave the range in which a float can be squared, 1e-23 to 1.8e19, sooner than "
-      "one thinks. The textbook's formula answers NaN there, and the pixel is spoilt for ever. The "
+      "along a path leave the range in which a float can be squared, 1e-23 to 1.8e19, sooner "
+      "than one thinks. The textbook's formula gives NaN there, and the pixel is ruined. The "
       "ratio of the two products does not: where it overflows, the weight is 0 anyway.");
   notebook.table("weights", table, "Weights of own's sample, one sample each");
 }

@@ -74,7 +74,7 @@ Vec3 sample_lobe(Vec2 u, float n) {
 
 float lobe_pdf(Vec3 w, float n) {
   // 1. Outside the lobe: 0.
-  // 2. cos^n(alpha): w.z alone does not know the angle well enough, w.x and w.y do.
+  // 2. cos^n(alpha): w.z alone is not accurate enough for small angles; w.x and w.y are.
   // 3. Normalise over the lobe.
   carlo::not_implemented("Lab 7.5", "Reflected Ray Sampling, Phong BRDF");
 }
@@ -122,7 +122,7 @@ Vec3 direction_at(Point place) {
 }
 
 Point place_of(Vec3 w) {
-  // 1. The way back, by std::atan2 twice: acos(w.y) knows nothing of small angles.
+  // 1. The inverse, by std::atan2 twice: acos(w.y) loses small angles.
   // 2. x must be at least 0, and both must stay below 1 when all has rounded.
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }

@@ -171,11 +171,12 @@ void light_experiment(Notebook& notebook) {
     const Lit lit;
     notebook.say(
         "A sky of 64 x 32 texels with a sun of one, which sends more than all the rest. Three "
-        "surfaces, and directions of four kinds. Those of the image follow the light and know "
-        "nothing of the cosine; on the wall in the shade most of them are lost behind it. Taking "
-        "each kind half of the time, weighted by the balance heuristic of lab 06, is good on all "
-        "three. Errors are over 400 estimates, relative to the irradiance, from 64 directions on: "
-        "with fewer, most of those that look anywhere never meet the sun, and seem to agree.");
+        "surfaces, and directions of four kinds. Those of the image follow the light and ignore "
+        "the cosine; on the wall in the shade most of them are lost behind it. Taking each kind "
+        "half of the time, weighted by the balance heuristic of lab 6, is good on all three. "
+        "Errors are over 400 estimates, relative to the irradiance, from 64 directions on: with "
+        "fewer, most runs by uniform or cosine-weighted directions never meet the sun, and seem "
+        "to agree.");
     carlo::Table table({"surface", "technique", "directions", "irradiance", "one estimate",
                         "relative error", "time", "1/(error² time)", "slope against N"},
                        {"surface", "technique", "directions", "exact", "estimate", "error",

@@ -95,8 +95,8 @@ void lobe_experiment(Notebook& notebook) {
         "1 - cos(alpha) has the mean 1/(n + 2), whatever n. The recipe alpha = acos(z^(1/(n+1))) "
         "is right on paper. In float the root rounds to one of the few numbers just below 1: its "
         "angles are counted here, to five digits, among all directions drawn. The last column is "
-        "what cos^n makes of a cosine of 1 that has rounded to 1 + 1e-7. Your lobe is promised to "
-        "n = 1e7 only; the last row is beyond.");
+        "cos^n for a cosine of 1 that has rounded to 1 + 1e-7. Your lobe has to work up to n = "
+        "1e7 only; the last row is beyond that.");
     notebook.table("lobe", table, "Mean of 1 - cos(alpha) and different angles");
     notebook.charts({chart});
   });

@@ -63,8 +63,8 @@ void mirror_experiment(Notebook& notebook) {
       chart.series.push_back(std::move(series));
     }
     notebook.say(
-        "The lobe surrounds the mirror direction and knows nothing of the surface. At grazing "
-        "angles a good part of it points into the floor. Those directions are drawn, count, and "
+        "The lobe surrounds the mirror direction, regardless of the surface. At grazing angles a "
+        "good part of it points into the floor. Those directions are drawn and count, but "
         "contribute nothing: the light is absorbed. Drawing again until one is above would "
         "brighten every edge.");
     notebook.table("below", table, "The part of the lobe below the horizon");

@@ -184,9 +184,9 @@ void samplers_experiment(Notebook& notebook) {
   if (picture.clouds.empty()) return;
   notebook.say(
       "Each sampler's directions, on the page as points on a hemisphere that you can turn; and "
-      "counted in cells of the whole sphere, rings by sectors, against the integral of the density "
-      "that stands beside the sampler (cells where fewer than 100 are expected are pooled). The "
-      "histograms show the heights cos(theta).");
+      "counted in cells of the whole sphere, rings by sectors, against the integral of the "
+      "density that belongs to the sampler (cells where fewer than 100 are expected are pooled). "
+      "The histograms show the heights cos(theta).");
   notebook.raw_html(turntable_html(picture));
   notebook.script(carlo::turntable_script());
   notebook.table("samplers", table, "Directions against the integrals of their densities");

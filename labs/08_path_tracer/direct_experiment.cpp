@@ -53,7 +53,8 @@ double irradiance(const Rectangle& r, double height, const Vec3& p) {
   return at(r.x1, r.y1) - at(r.x0, r.y1) - at(r.x1, r.y0) + at(r.x0, r.y0);
 }
 
-/// Radiance of the floor at p: the light source's light minus that of the part behind the screen.
+/// Radiance of the floor at p: that due to the whole light minus that of the part behind the
+/// screen.
 double exact(const Vec3& p) {
   constexpr double h = light_height, zoom = h / static_cast<double>(screen_height);
   const auto shadow = [&](double edge, float at) {
@@ -108,7 +109,7 @@ void direct_experiment(Notebook& notebook) {
       "A square light over a floor, and a black square between them. Every point of the floor has a "
       "closed form: the light's irradiance less that of the part which the square hides. Both forms "
       "of the rendering equation integrate the same light; with the same number of samples one "
-      "asks points of the light, the other directions of the hemisphere.");
+      "samples points of the light, the other directions of the hemisphere.");
   notebook.raw_html(carlo::tiles(pictures_of(reference, "closed form", results, 1.1)));
   carlo::Table table = results_table();
   add_rows(table, "soft shadow", results);

@@ -199,10 +199,10 @@ void furnace_experiment(Notebook& notebook) {
   }
   if (all.empty()) return;
   notebook.say(
-      "Within a sphere whose wall emits 1 and reflects half of what it gets, every ray brings 1 + "
-      "1/2 + 1/4 + ... = 2. The lecture's rule takes emission with probability .9; else it goes "
-      "on, and multiplies by 10. Its mean is 2 and its variance infinite, so the spread of the "
-      "samples seen so far says nothing of those to come.");
+      "Within a sphere whose wall emits 1 and reflects half of what it gets, every ray has "
+      "radiance 1 + 1/2 + 1/4 + ... = 2. The lecture's rule chooses emission with probability "
+      ".9; otherwise it continues, and multiplies by 10. Its mean is 2 and its variance "
+      "infinite, so the spread of the samples seen so far says nothing about those to come.");
   notebook.raw_html(room(notebook, world, size));
   notebook.charts(charts);
   say_coverage(notebook, all);

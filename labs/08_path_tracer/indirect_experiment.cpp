@@ -79,9 +79,9 @@ void indirect_experiment(Notebook& notebook) {
           traced(view, [&](const Ray& ray, Rng& rng) { return trace_path(world, ray, rng); })));
     });
     notebook.say(
-        "The Cornell box. Light straight from the light source, what comes by way of other surfaces, and "
-        "both. Lab 8.4's paths have to meet the light by chance; Lab 8.6 asks it at every vertex. "
-        "The reference is a long run of Lab 8.6; errors are less its own.");
+        "The Cornell box. Light straight from the light source, light via other surfaces, and "
+        "both. Lab 8.4's paths have to meet the light by chance; Lab 8.6 samples it at each "
+        "vertex. The reference is a long run of Lab 8.6; its own error is subtracted.");
     constexpr double white = 1.2;
     std::vector<std::string> row =
         pictures_of(reference, fmt::format("direct and indirect, {} samples a pixel", 2 * many),
@@ -101,7 +101,7 @@ void indirect_experiment(Notebook& notebook) {
           white);
       const double times = static_cast<double>(many_more(notebook)) / few;
       notebook.say(
-          fmt::format("The lecture's two pictures, by its TracePath as mended: {:.2g} times the "
+          fmt::format("The lecture's two pictures, by its corrected TracePath: {:.2g} times the "
                       "paths, and {:.2g} times less noise.",
                       times, std::sqrt(times)));
       notebook.raw_html(carlo::tiles(pictures));

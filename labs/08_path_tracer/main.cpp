@@ -23,8 +23,8 @@ std::vector<carlo::Step> steps() {
       {"d",
        {lab08::furnace_experiment},
        "d. The lecture's rule stays below 2 most of the time, with error bars that leave 2 out; "
-       "now and then a single path throws it far above. Mended, the error falls with -1/2 and one "
-       "interval in twenty misses, as it should."},
+       "now and then a single path throws it far above. Corrected, the error falls with -1/2 and "
+       "one interval in twenty misses, as it should."},
       {"e",
        {lab08::split_experiment},
        "e. One ray for the light and one for the rest: a fraction of the noise of uniform "
@@ -46,8 +46,8 @@ std::vector<carlo::Step> steps() {
        "the plates neither technique is good everywhere, and both together are."},
       {"recap",
        {lab08::recap_experiment, lab08::recap_box_experiment},
-       "The Recap. As printed it is far off in every room, each bounce by a factor of its own, and "
-       "where nothing but the light emits no path ends by itself. Mended, it shows what it should."}};
+       "The Recap. As printed it is far off in every room, each bounce by its own factor, and "
+       "where nothing but the light emits no path ends by itself. Corrected, it is right."}};
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ Rgb reflect_split_one(const Cone& light, Vec3 normal, const Brdf& f, const Incom
 /// directly from the lights by direct_by_area(), and light from elsewhere by sample() and
 /// recursion. `with_emission`: whether the emission of the first surface is counted; light that
 /// direct_by_area() has counted must not be counted again. The environment is not a light: rays
-/// that meet no surface always bring it. Surfaces are Phong surfaces.
+/// that meet no surface always add it. Surfaces are Phong surfaces.
 Rgb trace_direct(const World& world, const Ray& ray, bool with_emission, Rng& rng);
 
 // Step g: steps/g_specular.cpp --------------------------------------------------------------------

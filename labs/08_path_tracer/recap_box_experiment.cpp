@@ -124,12 +124,12 @@ void recap_box_experiment(Notebook& notebook) {
                                           tracer<carlo::SobolSampler>(view));
     notebook.progress(1, 5);
     notebook.say(
-        "The Cornell box with a ball of the same power for a light. The ball is small: on the floor "
-        "light rays come out hundreds of times too bright, and non-light rays are multiplied by a "
-        "negative number. A light ray that meets a block is one more path, of two calls a vertex. "
-        "How bright the picture is depends on where the calls are cut off. Mended, its error is "
-        "below that of Lab 8.6, which asks points of the whole ball, half of which face away: light "
-        "rays are uniform in the cone in which the ball is seen.");
+        "The Cornell box with a ball of the same power for a light. The ball is small: on the "
+        "floor light rays come out hundreds of times too bright, and non-light rays are "
+        "multiplied by a negative number. A light ray that meets a block is one more path, of "
+        "two calls a vertex. How bright the picture is depends on where the calls are cut off. "
+        "Corrected, its error is below that of Lab 8.6, which samples points of the whole ball, "
+        "half of which face away: light rays are uniform in the cone in which the ball is seen.");
     std::vector<std::string> pictures;
     how_many_calls(notebook, view, mean_value(reference.image), pictures);
     notebook.progress(2, 5);

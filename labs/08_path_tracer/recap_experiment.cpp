@@ -93,11 +93,12 @@ carlo::Table weights_table() {
 void recap_experiment(Notebook& notebook) {
   notebook.begin("The Recap, word for word and mended");
   notebook.say(
-      "A ball of light in a round room, where what the wall shows has a closed form. The lecture's "
-      "TracePath divides by p_emit, but not by the density of its direction d'. With one direction "
-      "d' at random each bounce is too dark by 2 pi. The Recap's two rays are off by factors of "
-      "their own, which hang on the light's solid angle. Where the walls do not emit its light rays "
-      "end at the light, and nothing ends its non-light rays: every path here is cut off.");
+      "A ball of light in a round room, where the wall's radiance has a closed form. The "
+      "lecture's TracePath divides by p_emit, but not by the density of its direction d'. With "
+      "one direction d' at random each bounce is too dark by 2 pi. The Recap's two rays are off "
+      "by factors of their own, which depend on the light's solid angle. Where the walls do not "
+      "emit its light rays end at the light, and nothing ends its non-light rays: every path "
+      "here is cut off.");
   carlo::Table table(
       {"room", "method", "exact", "mean", "in theory", "mean / exact", "std. error", "calls a path",
        "cut off", "time"},
@@ -113,7 +114,7 @@ void recap_experiment(Notebook& notebook) {
   }
   if (table.rows().empty()) return;
   notebook.table("recap", table,
-                 fmt::format("The printed forms and the mended one: means with their 95 % "
+                 fmt::format("The printed forms and the corrected one: means with their 95 % "
                              "interval, of {} paths of at most {} calls",
                              carlo::count_text(paths), most_calls));
   notebook.table("recap_weights", weights_table(),

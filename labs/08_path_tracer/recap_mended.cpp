@@ -42,8 +42,8 @@ class Mended {
     const float p_light = 1 - goes_on;
     if (!(p_light > 0)) {
       throw carlo::Error(
-          "the mended Recap looks at the light with the chance that a surface "
-          "absorbs; this one reflects everything");
+          "the mended Recap samples the light with the probability of absorption; "
+          "this surface absorbs nothing");
     }
     const Cone light = light_.seen_from(surface.p);
     const float u_branch = rng_.uniform_float();
@@ -58,7 +58,7 @@ class Mended {
   }
 
   /// The part of the integral over the light's cone; its density there is 1 over the solid angle.
-  /// It brings all radiance from whatever it meets, light or pillar.
+  /// Includes all radiance from whatever the ray meets, light or pillar.
   Rgb light_ray(const Surface& surface, const Cone& light, Vec2 u) {
     const Vec3 wi = light.sample(u);
     const float above = glm::dot(surface.n, wi);

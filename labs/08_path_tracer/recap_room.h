@@ -31,7 +31,7 @@ struct RecapRoom {
   double light_ratio() const;
   /// The same for a non-light ray: the factor per bounce. Negative for a solid angle below 1.
   double non_light_ratio() const;
-  /// The mean of recap_as_printed(); infinite if each bounce brings more than the one before.
+  /// The mean of recap_as_printed(); infinite if each bounce adds more than the one before.
   double recap_mean() const;
   /// The mean of random_direction_as_printed().
   double random_direction_mean() const;

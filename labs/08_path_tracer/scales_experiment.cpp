@@ -113,7 +113,7 @@ void scales_experiment(Notebook& notebook) {
       "pixel. A ray that starts a fixed thousandth off the surface is right at the scale it was "
       "tried at. In the small scene it starts beyond the balls; in the large one it still starts "
       "inside the surface, whose points are rounded to more than that, and shades itself. "
-      "World::leave and World::sees start as far off as rounding asks for.");
+      "World::leave and World::sees start as far off as rounding requires.");
   carlo::Table table({"scale", "fixed offset: wrong", "as given: wrong"},
                      {"scale", "fixed_wrong", "given_wrong"});
   std::vector<std::string> fixed_row, given_row;

@@ -48,15 +48,15 @@ carlo::Table closed_forms(Notebook& notebook) {
     const World world(known.scene);
     Rng rng = notebook.rng();
     const std::int64_t n = notebook.options().n / 4;
-    carlo::RunningMean brought;
+    carlo::RunningMean radiance;
     for (std::int64_t i = 0; i < n; ++i) {
-      // Rays that meet the ball at all distances from its middle.
+      // Rays that hit the ball at all distances from its middle.
       const Vec3 target(0.4f * rng.uniform_float(), 0, 0);
       const Ray ray{{0, 0, 1.5f}, glm::normalize(target - Vec3(0, 0, 1.5f))};
-      brought.add(static_cast<double>(trace_specular(world, ray, true, rng).g));
+      radiance.add(static_cast<double>(trace_specular(world, ray, true, rng).g));
     }
     table.add_row({known.name, known.exact,
-                   carlo::interval_cell(brought.mean(), std::max(1.96 * brought.error(), 1e-6))});
+                   carlo::interval_cell(radiance.mean(), std::max(1.96 * radiance.error(), 1e-6))});
   }
   return table;
 }
@@ -94,7 +94,7 @@ void specular_experiment(Notebook& notebook) {
         "A ball of mirror and a ball of glass under a square light. No shadow ray reaches the light "
         "through glass: light that it focuses on the floor, a caustic, is found only by paths that "
         "leave the floor, pass the glass and meet the light by chance. Its pixels are the noisiest. "
-        "The reference is a long run of the same code; errors are less its own.");
+        "The reference is a long run of the same code; its own error is subtracted.");
     notebook.raw_html(carlo::tiles(pictures_of(
         reference, fmt::format("{} samples a pixel", 2 * most_samples(notebook)), results, 1.2)));
     carlo::Table table = results_table();

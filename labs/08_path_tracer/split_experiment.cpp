@@ -137,8 +137,8 @@ void shrinking_ball(Notebook& notebook) {
                    ratio(naive), ratio(given)});
   }
   notebook.table("shrinking", table,
-                 "A ball that shrinks at constant power: what the floor under it shows, over what "
-                 "it should. 4096 rays each");
+                 "A ball that shrinks at constant power: the radiance of the floor under it, "
+                 "over the right one. 4096 rays each");
 }
 
 }  // namespace

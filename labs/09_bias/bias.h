@@ -7,9 +7,9 @@
 // have three channels, red, green and blue.
 
 #include "given/feature_image.h"
-#include "given/lights.h"
 #include "given/photon_map.h"
 #include "given/records.h"
+#include "numeric/robust.h"
 #include "path_tracer.h"
 
 #include <functional>
@@ -121,13 +121,18 @@ struct Emission {
   Rgb flux{0};
 };
 
+/// Given, for Lab 9.4: the ray that leaves a point of a light in direction d, on the emitting side:
+/// as in World::leave(), it starts off the light by as much as rounding demands.
+inline Ray leave(const lab08::LightPoint& point, Vec3 d) {
+  return {carlo::offset_origin(point.p, point.p_error, point.n, d), d};
+}
+
 /// Lab 9.4. Emits a photon from a point light of radiant intensity I, the same in all directions.
 /// If n are emitted, each stands for 1/n of its flux: that division is not done here, nor below.
 Emission emit_from_point(Vec3 p, Rgb intensity, Rng& rng);
 
 /// Lab 9.4. Emits a photon from a light: a uniform point of it and a direction for which all
-/// photons carry the same flux, the light's power. It starts beside the light, by leave() of
-/// given/lights.h.
+/// photons carry the same flux, the light's power. It starts beside the light, by leave().
 Emission emit_from_light(const Light& light, Rng& rng);
 
 /// Lab 9.4. Emits a photon from all lights together: one of them is chosen by world.choose(), which
@@ -181,8 +186,8 @@ Rgb progressive_mean(int passes, double first_radius, double alpha,
 
 // Step g: steps/g_irradiance_cache.cpp ------------------------------------------------------------
 
-/// What a ray from a surface meets: the radiance that arrives along it, and the distance; infinite
-/// where it meets nothing.
+/// The radiance that arrives along a ray from a surface, and the distance to what it hits; infinite
+/// if it hits nothing.
 struct Arrival {
   Rgb radiance{0};
   double distance = 0;  ///< > 0

@@ -100,10 +100,10 @@ void compare(Notebook& notebook) {
 void caustic_experiment(Notebook& notebook) {
   notebook.begin("Step e: a caustic");
   notebook.say(
-      "A ball of glass gathers the light of a small light source on the floor. Paths from the camera have "
-      "to find that light through the ball; photons are there at once. Photons alone smear all "
-      "shadows, too; a map of caustics leaves the rest to paths. The ball itself is left black: what is seen in it "
-      "is as noisy by all of them.");
+      "A ball of glass gathers the light of a small light source on the floor. Paths from the "
+      "camera have to find that light through the ball; photons reach the floor directly. "
+      "Photons alone blur all shadows, too; a map of caustics leaves the rest to paths. The ball "
+      "itself is left black: what is seen in it is equally noisy with all methods.");
   notebook.attempt([&] { compare(notebook); });
 }
 

@@ -27,8 +27,7 @@ Rgb one(Vec3) {
   return Rgb(1);
 }
 
-// Under a point light
-// ------------------------------------------------------------------------------
+// Under a point light -----------------------------------------------------------------------------
 
 /// A point light of intensity 1 at height 1: the irradiance at its foot is 1, and a disc about it
 /// takes all light of a cone.

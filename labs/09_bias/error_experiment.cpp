@@ -228,7 +228,7 @@ void slopes_and_crossing(Notebook& notebook) {
   carlo::Table table({"overtakes after", "samples"}, {"from", "samples"});
   table.add_row(
       {"by closed form", carlo::number_cell(overtakes_after(a, one.variance, one.bias2))});
-  table.add_row({"foretold from estimates by 16 samples",
+  table.add_row({"predicted from estimates by 16 samples",
                  carlo::number_cell(overtakes_after(a, 16 * at_16.variance, at_16.bias2))});
   table.add_row({"where the measured errors cross", carlo::number_cell(measured)});
   notebook.table("clamp_overtaken", table,
@@ -240,10 +240,10 @@ void slopes_and_crossing(Notebook& notebook) {
 void error_experiment(Notebook& notebook) {
   notebook.begin("Step a: bias and noise apart");
   notebook.say(fmt::format(
-      "Light of a glowing disc of radius 1 close to a point, {} above its middle: points "
-      "of the disc, uniform by area, bring 1/distance², which is {} right below and "
-      "seldom that large; the mean is {}. Whoever clamps samples to c has less noise, "
-      "and is too dark.",
+      "Light of a glowing disc of radius 1 close to a point, {} above its middle: points of the "
+      "disc, uniform by area, contribute 1/distance², which is {} right below and seldom that "
+      "large; the mean is {}. Clamping samples to c reduces the noise, and makes the result too "
+      "dark.",
       carlo::number_text(std::sqrt(glow.height2), 3), carlo::number_text(glow.largest()),
       carlo::number_text(glow.exact())));
   notebook.attempt([&] {

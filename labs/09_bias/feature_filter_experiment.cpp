@@ -1,7 +1,7 @@
 #include "course/report/format.h"
 #include "course/report/stopwatch.h"
 #include "course/report/tiles.h"
-#include "noisy_image.h"
+#include "practice.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>
@@ -104,9 +104,9 @@ void feature_filter_experiment(Notebook& notebook) {
       notebook.progress(static_cast<double>(i + 1), static_cast<double>(sample_counts.size()));
     }
     notebook.say(
-        "The soft shadows of a room by lab 08's paths, and the same images filtered. Bias and noise "
-        "are relative, dark pixels counted as .1. Albedo, normal and depth know of corners and of "
-        "the balls' outlines, but not of a shadow's edge: that is left to the colours, and k says "
+        "The soft shadows of a room by lab 8's paths, and the same images filtered. Bias and noise "
+        "are relative, dark pixels counted as .1. Albedo, normal and depth show corners and "
+        "the balls' outlines, but not a shadow's edge: that is left to the colours, and k says "
         "how many standard errors they may differ by.");
     notebook.table("filter", table,
                    fmt::format("Filtered and not: bias and noise apart; {}", minus_is_noise));

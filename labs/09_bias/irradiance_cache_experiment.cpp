@@ -3,8 +3,8 @@
 #include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
-#include "indirect.h"
 #include "photon_run.h"
+#include "practice.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>
@@ -186,10 +186,10 @@ void irradiance_cache_experiment(Notebook& notebook) {
                        {"most", "directions", "records", "bias", "noise", "error", "seconds"});
     std::vector<Curve> curves = cache_curves(notebook, seen, reference, table, pictures, white);
     notebook.say(
-        "The indirect light of the Cornell box: by paths, and from caches that serve up to "
-        "different errors. A cache has two kinds of error: the noise of its records, which stands "
-        "in the image as blotches, and the bias of using them elsewhere. More directions a record "
-        "help against the first alone.");
+        "The indirect light of the Cornell box: by paths, and from caches with different error "
+        "limits. A cache has two kinds of error: the noise of its records, which shows in the "
+        "image as blotches, and the bias of using them elsewhere. More directions per record "
+        "help only against the first.");
     notebook.raw_html(carlo::tiles(pictures));
     notebook.table("cache", table,
                    fmt::format("Caches: bias and noise apart, in parts of the mean radiance; {}",

@@ -117,7 +117,7 @@ void thin_wall(Notebook& notebook) {
   carlo::Table table({"most", "nearest", "records", "leaked"});
   std::vector<std::string> pictures;
   const auto add = [&](const LeakSetting& setting, bool shown) {
-    // How much leaks depends on where records happen to be made: take the mean of several runs.
+    // The leak depends on where records happen to be made: take the mean of several runs.
     const int runs = notebook.repetitions(64);
     FloorImage image;
     double leaked = 0, records = 0;
@@ -164,8 +164,8 @@ void thin_board(Notebook& notebook) {
   notebook.say(
       "A board under the open sky, and the dark floor at some height below it. Records on the "
       "board see far, and their normals are the floor's: for Ward's estimate the floor is next "
-      "door. Only that they lie in front of it keeps them from serving there, unless they do so by "
-      "less than a hundredth of their distance, which here is 1.");
+      "door. Only the test for records in front keeps them from being used there, and it "
+      "tolerates a hundredth of their distance, which here is 1.");
   notebook.table("thin_board", table, "What leaks through a board, in parts of the open sky");
 }
 

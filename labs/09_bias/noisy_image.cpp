@@ -1,6 +1,5 @@
-#include "noisy_image.h"
-
 #include "given/sampled.h"
+#include "practice.h"
 
 #include <tbb/parallel_for.h>
 

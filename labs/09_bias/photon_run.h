@@ -12,7 +12,7 @@ namespace lab09 {
 // Shared by the experiments of steps e and f: photon maps made on all cores, a world lit mostly by
 // a caustic, and the parts of an image's error.
 
-/// Which photons a map holds.
+/// The photons that a map holds.
 enum class Kept { all, caustics };
 
 /// The map of the photons of `emitted` emitted ones, on one core.

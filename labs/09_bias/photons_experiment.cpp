@@ -74,8 +74,9 @@ void show_dots(Notebook& notebook) {
   const std::int64_t few = 10'000, many = notebook.options().n;
   const Dots dots = dots_of(view, few, many, rng);
   notebook.say(
-      "Photons as dots, where the camera sees them, in the colour in which they arrive. None lies on "
-      "the ball of mirror or on the ball of glass: look for what these gather beside.");
+      "Photons as dots, where the camera sees them, in the colour in which they arrive. None "
+      "lies on the ball of mirror or on the ball of glass: look for the light that they focus "
+      "beside them.");
   const auto title = [](std::int64_t sent) {
     return fmt::format("{} photons sent", carlo::count_text(sent));
   };
@@ -190,8 +191,8 @@ void discs(Notebook& notebook, const World& world) {
     }
   }
   notebook.table("photon_discs", table,
-                 "Photons in a disc, taken for the irradiance at its middle: its relative bias and "
-                 "noise, from 64 runs; 95 % intervals");
+                 "The irradiance at the middle of a disc, estimated from the photons in it: its "
+                 "relative bias and noise, from 64 runs; 95 % intervals");
 }
 
 // Power -------------------------------------------------------------------------------------------

@@ -95,8 +95,8 @@ void show_spokes(Notebook& notebook) {
   }
   notebook.say(
       "Spokes that become finer towards the hub. Where one spoke and one gap take less than two "
-      "pixels, 1.4 along a diagonal, no image can show them, and what is there in their place, rings "
-      "and other spokes, is aliasing. It should be grey.");
+      "pixels, 1.4 along a diagonal, no image can show them, and what appears instead, rings and "
+      "other spokes, is aliasing. It should be grey.");
   notebook.raw_html(carlo::tiles(row));
   notebook.table("spokes", table,
                  "Contrast that is left where a spoke and a gap take so many pixels: in the first "
@@ -184,8 +184,9 @@ void measure_edge(Notebook& notebook) {
   }
   notebook.say(fmt::format(
       "One pixel, and an edge {} pixels to the right of its middle, lit beyond. What the pixel "
-      "should be has a closed form: the filter's share beyond the edge. Offsets are drawn from the "
-      "filter, or uniform in its square and weighed. (A box weighs all alike: there both are one.)",
+      "should be has a closed form: the filter's share beyond the edge. Offsets are drawn from "
+      "the filter, or uniform in its square and weighted. (A box has equal weights: there both "
+      "are the same.)",
       carlo::number_text(edge_at)));
   notebook.table("edge", table,
                  fmt::format("A pixel on an edge: bias and noise apart; {}", minus_is_noise));

@@ -4,6 +4,7 @@
 #include "image/image.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -27,6 +28,22 @@ struct PracticeScene {
   carlo::Image reference_error;  ///< its standard errors
   World world;
 };
+
+/// Renders a scene with `samples` >= 2 of lab 8's paths per pixel, with the features of its
+/// pixels: means over up to 16 rays. Mirrors and glass have albedo 1 and their own normals. Runs on
+/// all cores.
+FeatureImage noisy_image(const PracticeScene& scene, int samples, std::uint64_t seed);
+
+/// The same, with each pixel filtered by filter_pixel().
+carlo::Image filtered_image(const FeatureImage& noisy, const FilterStrength& strength);
+
+/// The result of a record's ray, for irradiance by indirect light alone: light that was reflected
+/// before it arrives, or came through mirrors or glass. By lab 8's paths.
+inline Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
+  const auto met = world.intersect(ray);
+  const double distance = met ? static_cast<double>(glm::length(met->p - ray.o)) : INFINITY;
+  return {lab08::trace_specular(world, ray, false, rng), distance};
+}
 
 /// How a method's square error behaves as its passes are averaged.
 enum class Trend {
@@ -84,7 +101,7 @@ struct PracticeCurve {
   /// steeper one cannot continue.
   double slope() const;
   /// Its square error after t seconds, by its trend; an upper bound if bias_is_bounded().
-  double foretold(double t) const;
+  double predicted(double t) const;
   /// It has a permanent bias, but these runs are too short to distinguish it from 0.
   bool bias_is_bounded() const { return trend == Trend::biased && !longest().parts.bias_is_seen(); }
 };

@@ -37,11 +37,11 @@ void add_measured(carlo::Table& table, const std::string& scene,
   }
 }
 
-void add_foretold(carlo::Table& table, const std::string& scene,
-                  const std::vector<PracticeCurve>& curves) {
+void add_predicted(carlo::Table& table, const std::string& scene,
+                   const std::vector<PracticeCurve>& curves) {
   const PracticeCurve& paths = curves.front();
   for (const PracticeCurve& curve : curves) {
-    const double overtaken = overtaking(paths, curve), after_hour = curve.foretold(hour);
+    const double overtaken = overtaking(paths, curve), after_hour = curve.predicted(hour);
     const bool bounded = curve.bias_is_bounded();
     const std::string error = carlo::number_text(after_hour, 3);
     table.add_row({scene, curve.name, carlo::Cell(bounded ? "at most " + error : error, after_hour),
@@ -53,7 +53,7 @@ void add_foretold(carlo::Table& table, const std::string& scene,
 std::string ahead_at(const std::vector<PracticeCurve>& curves, double t) {
   const auto best = std::min_element(curves.begin(), curves.end(),
                                      [t](const PracticeCurve& a, const PracticeCurve& b) {
-                                       return a.foretold(t) < b.foretold(t);
+                                       return a.predicted(t) < b.predicted(t);
                                      });
   return best->name;
 }
@@ -122,8 +122,8 @@ void practice_experiment(Notebook& notebook) {
   carlo::Table table(
       {"scene", "method", "passes", "time", "bias²", "noise²", "relMSE", "over path tracing's"},
       {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse", "ratio"});
-  carlo::Table foretold({"scene", "method", "relMSE after an hour", "path tracing overtakes"},
-                        {"scene", "method", "hour", "overtaken"});
+  carlo::Table predicted({"scene", "method", "relMSE after an hour", "path tracing overtakes"},
+                         {"scene", "method", "hour", "overtaken"});
   carlo::Table ahead({"scene", "ahead after " + carlo::duration_text(seconds), "after an hour"},
                      {"scene", "soon", "late"});
   std::vector<carlo::Chart> charts;
@@ -135,13 +135,13 @@ void practice_experiment(Notebook& notebook) {
     notebook.raw_html(practice_pictures(scene, curves));
     charts.push_back(practice_chart(scene.name, curves));
     add_measured(table, scene.name, curves);
-    add_foretold(foretold, scene.name, curves);
+    add_predicted(predicted, scene.name, curves);
     ahead.add_row({scene.name, ahead_at(curves, seconds), ahead_at(curves, hour)});
   }
   notebook.charts(charts);
   notebook.table("practice", table, "Bias, noise and time of all methods");
-  notebook.table("practice_foretold", foretold, "What the curves foretell");
-  notebook.table("practice_ahead", ahead, "Who is ahead: measured, and foretold for an hour");
+  notebook.table("practice_predicted", predicted, "What the curves predict");
+  notebook.table("practice_ahead", ahead, "Who is ahead: measured, and predicted for an hour");
 }
 
 }  // namespace lab09

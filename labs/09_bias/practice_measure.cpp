@@ -144,7 +144,7 @@ double PracticeCurve::slope() const {
   return std::max(fitted_slope(seconds, errors), -1.0);
 }
 
-double PracticeCurve::foretold(double t) const {
+double PracticeCurve::predicted(double t) const {
   const PracticeRun& last = longest();
   switch (trend) {
     case Trend::unbiased:

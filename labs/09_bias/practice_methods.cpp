@@ -1,6 +1,4 @@
 #include "given/sampled.h"
-#include "indirect.h"
-#include "noisy_image.h"
 #include "photon_run.h"
 #include "practice.h"
 
@@ -77,7 +75,7 @@ PracticeMethod paths_by_area(const PracticeScene& s) {
   });
 }
 
-/// Each pass has its own photons.
+/// One pass, with its own photons.
 carlo::Image photon_pass(const PracticeScene& s, Rng rng, float radius) {
   const PhotonMap map = photon_map(s.world, photons_a_pass, Kept::all, rng);
   return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {

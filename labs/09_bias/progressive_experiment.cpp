@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// Step f: three points of a floor that a light lights only by way of a mirror, in closed form: how
-// fast errors fall with discs that shrink, with others that do not, and with paths.
+// Step f: three points of a floor that is lit only via a mirror, in closed form: how fast errors
+// fall with discs that shrink, with others that do not, and with paths.
 
 namespace lab09 {
 namespace {

@@ -96,8 +96,8 @@ void image_passes(Notebook& notebook) {
 void progressive_image_experiment(Notebook& notebook) {
   notebook.begin("Step f: a caustic, pass by pass");
   notebook.say(fmt::format(
-      "The ball of glass of step e by passes of {} photons each, all light from the map. Nothing but "
-      "one map is held at a time.",
+      "The ball of glass of step e by passes of {} photons each, all light from the map. Only "
+      "one map is in memory at a time.",
       carlo::count_text(photons_an_image)));
   notebook.attempt([&] { image_passes(notebook); });
 }

@@ -83,7 +83,8 @@ float float_between(std::uint32_t word, float a, float b) {
 
 // Lemire, "Fast random integer generation in an interval", 2019. The product of a word and the
 // number of values falls into one of `values` boxes 2^32 wide. A box holds floor or ceil(2^32 /
-// values) products; without those whose low half is below 2^32 mod values all hold equally many.
+// values) products; without those whose low half is below 2^32 mod values, all boxes hold equally
+// many.
 std::int32_t integer_between(std::int32_t u, std::int32_t v, const Words& next) {
   const std::uint64_t values = static_cast<std::uint64_t>(std::int64_t{v} - u) + 1;
   std::uint64_t product = next() * values;

@@ -57,7 +57,7 @@ std::vector<double> latin_hypercube(std::int64_t n, std::int64_t dimensions, car
   std::iota(strata.begin(), strata.end(), std::size_t{0});
   std::vector<double> points(count * d);
   for (std::size_t k = 0; k < d; ++k) {
-    // Durstenfeld, "Algorithm 235: Random permutation", 1964, dealt out from the last card on.
+    // Durstenfeld, "Algorithm 235: Random permutation", 1964, from the last element down.
     for (std::size_t left = count; left > 0; --left) {
       const auto pick = static_cast<std::size_t>(rng.uniform() * static_cast<double>(left));
       std::swap(strata[pick], strata[left - 1]);
@@ -107,7 +107,8 @@ StratifiedEstimate stratified_estimate(const Function2d& f, std::int64_t columns
   }
   const double n = means.count * static_cast<double>(per_cell);
   const double variance = within.mean / means.count;
-  // The mean of (y - value)^2 falls short of the variance over the square by that of the value.
+  // The mean of (y - value)^2 is less than the variance over the square by the variance of the
+  // value.
   const double spread = (squares + static_cast<double>(per_cell) * means.squares) / n;
   return {means.mean, std::sqrt(variance), std::sqrt((spread + variance) / n)};
 }

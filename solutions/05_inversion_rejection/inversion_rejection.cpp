@@ -24,8 +24,8 @@ double exponential_pdf(double x, double rate) {
 
 // Lab 5.2 -----------------------------------------------------------------------------------------
 
-// The root of f0 x + (f1 - f0) x^2 / 2 = u (f0 + f1) / 2, written with a sum below the line: where
-// the ends are nearly equal a difference there would cancel.
+// The root of f0 x + (f1 - f0) x^2 / 2 = u (f0 + f1) / 2, with a sum in the denominator: for nearly
+// equal ends a difference would cancel.
 double sample_linear(double u, double f0, double f1) {
   if (u == 0) return 0;
   const double height = std::hypot(std::sqrt(1 - u) * f0, std::sqrt(u) * f1);  // of the line at x
@@ -66,7 +66,7 @@ Discrete::Discrete(std::span<const double> weights) : cdf_(weights.begin(), weig
   if (!(sum > 0 && std::isfinite(sum))) {
     throw carlo::Error("the sum of the weights must be finite and > 0, got {}", sum);
   }
-  // A division, for 1 / sum may be infinite. From the last weight > 0 on it gives exactly 1.
+  // Divides, since 1 / sum may be infinite. From the last weight > 0 on the result is exactly 1.
   for (double& entry : cdf_)
     entry /= sum;
 }

@@ -93,7 +93,7 @@ double tail_index(std::span<const double> values, std::size_t k) {
 
 namespace {
 
-/// A decision made by u, and the uniform number that remains of u.
+/// A decision made by u, and u rescaled to [0, 1).
 struct Choice {
   bool first;
   double u;
@@ -154,8 +154,8 @@ Product product_of(Effort effort) {
   return product;
 }
 
-/// The other's product over own's, to the given power, added to 1 and turned upside down: no sum
-/// and no square can overflow where the weight would not be 0 anyway.
+/// 1 / (1 + r^power), where r is the other's product over own's: where that overflows the weight is
+/// 0 anyway.
 double share_of(Effort own, Effort other, int power) {
   if (!(own.samples > 0 && own.pdf > 0)) return 0;
   if (!(other.samples > 0 && other.pdf > 0) || std::isinf(own.pdf)) return 1;

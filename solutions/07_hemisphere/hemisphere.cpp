@@ -14,8 +14,8 @@ using carlo::pi_f;
 
 // Lab 7.1 -----------------------------------------------------------------------------------------
 
-// Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017: the sum below the line
-// has terms of one sign and is never less than 1.
+// Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017: the terms of the
+// denominator have the same sign, and their sum is never smaller than 1 in size.
 Frame::Frame(Vec3 normal) : s(0), t(0), n(normal) {
   const float sign = std::copysign(1.0f, n.z);
   const float a = -1 / (sign + n.z);
@@ -84,8 +84,8 @@ Vec3 sample_lobe(Vec2 u, float n) {
   return spherical(std::exp(log_cos), std::sqrt(-std::expm1(2 * log_cos)), u.y);
 }
 
-// cos = (1 + tan^2)^(-1/2): the tangent knows small angles and large ones, where the cosine alone
-// rounds to 1 and the sine alone to 1.
+// cos = (1 + tan^2)^(-1/2): the tangent is accurate for small angles, where the cosine rounds to 1,
+// and for large ones, where the sine does.
 float lobe_pdf(Vec3 w, float n) {
   if (!(w.z > 0)) return 0;
   const float tangent = std::hypot(w.x, w.y) / w.z;

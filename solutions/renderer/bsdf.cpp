@@ -9,7 +9,7 @@ namespace {
 
 /// The brightness that decides how often a lobe is drawn: the mean of the channels, since errors
 /// count all channels alike. Any rule that gives each lobe that reflects a chance is unbiased, for
-/// weights divide by the density that follows from it. Lab 08 takes the largest channel.
+/// weights divide by the density that follows from it. Lab 8 takes the largest channel.
 float brightness(Rgb c) {
   return (c.r + c.g + c.b) / 3;
 }

@@ -18,7 +18,7 @@ constexpr float last_below_one = 0x1.fffffep-1f;
 
 /// The running sums 0, w_0 / w, (w_0 + w_1) / w, ..., 1 as multiples of 2^-24, where w is the sum
 /// of all weights; all 0 if w is 0.
-std::vector<float> running_chances(const std::vector<double>& weights) {
+std::vector<float> running_probabilities(const std::vector<double>& weights) {
   double whole = 0;
   for (const double w : weights)
     whole += w;
@@ -32,8 +32,8 @@ std::vector<float> running_chances(const std::vector<double>& weights) {
   return sums;
 }
 
-/// The step that u falls into, of `count` steps from first[0] = 0 to first[count] = 1, and u's
-/// place within it.
+/// The step that contains u, of `count` steps from first[0] = 0 to first[count] = 1, and the
+/// position of u within it.
 struct Picked {
   std::size_t index;
   float within;
@@ -77,14 +77,15 @@ EnvmapTable::EnvmapTable(const carlo::Envmap& of)
     }
     weights.push_back(sum * solid_angle);
   }
-  rows = running_chances(weights);
+  rows = running_probabilities(weights);
   for (std::size_t y = 0; y < height; ++y)
     add_row(y, static_cast<double>(rows[y + 1]) - static_cast<double>(rows[y]), luminances[y]);
 }
 
 /// The solid angle lies between the rounded edges, since sampling uses those.
-void EnvmapTable::add_row(std::size_t y, double chance, const std::vector<double>& luminances) {
-  const std::vector<float> sums = running_chances(luminances);
+void EnvmapTable::add_row(std::size_t y, double probability,
+                          const std::vector<double>& luminances) {
+  const std::vector<float> sums = running_probabilities(luminances);
   columns.insert(columns.end(), sums.begin(), sums.end());
   const double solid_angle =
       2 * carlo::pi / static_cast<double>(width) *
@@ -92,7 +93,7 @@ void EnvmapTable::add_row(std::size_t y, double chance, const std::vector<double
   for (std::size_t x = 0; x < width; ++x) {
     const Rgb c = map->image.pixels[y * width + x];
     const double share = static_cast<double>(sums[x + 1]) - static_cast<double>(sums[x]);
-    texels.push_back({c.r, c.g, c.b, static_cast<float>(chance * share / solid_angle)});
+    texels.push_back({c.r, c.g, c.b, static_cast<float>(probability * share / solid_angle)});
   }
 }
 

@@ -20,11 +20,11 @@ namespace renderer {
 /// therefore the texel's probability over its solid angle, proportional to L alone, and no
 /// sin(theta) divides by 0 at the poles.
 ///
-/// Row and column are drawn by inversion, which keeps neighbouring sample points neighbours; an
+/// Row and column are sampled by inversion, which keeps neighbouring sample points neighbours; an
 /// alias table would not. The running sums are whole multiples of 2^-24, the step of the u's, so
-/// the density is exactly the one that directions are drawn with. A texel with a probability below
-/// that is never drawn and has density 0, like black texels. Source: Pharr, Jakob, Humphreys,
-/// "Physically Based Rendering", 4th ed., section 12.5.
+/// the density is exactly that of the sampled directions. A texel with a smaller probability is
+/// never sampled and has density 0, like black texels. Source: Pharr, Jakob, Humphreys, "Physically
+/// Based Rendering", 4th ed., section 12.5.
 struct EnvmapTable {
   explicit EnvmapTable(const carlo::Envmap& map);
 
@@ -58,7 +58,7 @@ struct EnvmapTable {
   double brightness = 0;  ///< the integral of R + G + B over the sphere
 
  private:
-  void add_row(std::size_t y, double chance, const std::vector<double>& luminances);
+  void add_row(std::size_t y, double probability, const std::vector<double>& luminances);
 };
 
 }  // namespace renderer

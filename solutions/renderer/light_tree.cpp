@@ -254,7 +254,7 @@ float LightTree::estimate(std::uint32_t node, Vec3 p, Vec3 n) const {
   return node == everywhere_ ? nodes_[node].strength : nodes_[node].estimate(p, n);
 }
 
-std::optional<double> LightTree::chance_of_left(std::uint32_t left, Vec3 p, Vec3 n) const {
+std::optional<double> LightTree::probability_of_left(std::uint32_t left, Vec3 p, Vec3 n) const {
   const float a = estimate(left, p, n), b = estimate(left + 1, p, n);
   if (!(a + b > 0)) return std::nullopt;
   return static_cast<double>(a) / (static_cast<double>(a) + static_cast<double>(b));
@@ -265,43 +265,43 @@ std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) con
   if (u < floor) {
     u /= floor;
     const auto light = static_cast<std::uint32_t>(pick(floor_shares_, u));
-    return Choice{light, chance(light, p, n), u};
+    return Choice{light, probability(light, p, n), u};
   }
   u = (u - floor) / (1 - floor);
   double by_descent = 1;
   std::uint32_t at = 0;
   while (nodes_[at].first_child != 0) {
     const std::uint32_t child = nodes_[at].first_child;
-    const std::optional<double> left = chance_of_left(child, p, n);
+    const std::optional<double> left = probability_of_left(child, p, n);
     if (!left) return std::nullopt;
     const bool goes_left = u < *left;
-    const double chance = goes_left ? *left : 1 - *left;
-    u = std::min((goes_left ? u : u - *left) / chance, 1 - 0x1p-53);
-    by_descent *= chance;
+    const double probability = goes_left ? *left : 1 - *left;
+    u = std::min((goes_left ? u : u - *left) / probability, 1 - 0x1p-53);
+    by_descent *= probability;
     at = goes_left ? child : child + 1;
   }
   const std::uint32_t light = nodes_[at].light;
-  return Choice{light, (1 - floor) * by_descent + floor_chance(light), u};
+  return Choice{light, (1 - floor) * by_descent + floor_probability(light), u};
 }
 
-double LightTree::chance(std::uint32_t light, Vec3 p, Vec3 n) const {
+double LightTree::probability(std::uint32_t light, Vec3 p, Vec3 n) const {
   if (leaf_of_.size() == 1) return 1;
-  return (1 - floor) * chance_by_descent(light, p, n) + floor_chance(light);
+  return (1 - floor) * probability_by_descent(light, p, n) + floor_probability(light);
 }
 
-double LightTree::floor_chance(std::uint32_t light) const {
+double LightTree::floor_probability(std::uint32_t light) const {
   const double before = light == 0 ? 0 : floor_shares_[light - 1];
   return floor * (floor_shares_[light] - before) / floor_shares_.back();
 }
 
-double LightTree::chance_by_descent(std::uint32_t light, Vec3 p, Vec3 n) const {
-  double chance = 1;
+double LightTree::probability_by_descent(std::uint32_t light, Vec3 p, Vec3 n) const {
+  double probability = 1;
   for (std::uint32_t at = leaf_of_[light]; at != 0; at = nodes_[at].parent) {
-    const std::optional<double> left = chance_of_left(at & ~1U, p, n);
+    const std::optional<double> left = probability_of_left(at & ~1U, p, n);
     if (!left) return 0;
-    chance *= at % 2 == 0 ? *left : 1 - *left;
+    probability *= at % 2 == 0 ? *left : 1 - *left;
   }
-  return chance;
+  return probability;
 }
 
 std::size_t pick(std::span<const double> sums, double& u) {

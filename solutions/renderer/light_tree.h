@@ -10,8 +10,8 @@
 
 namespace renderer {
 
-/// What the choice of a light depends on: where it is, which way it faces and how bright it is.
-/// Describes one light or several together.
+/// The properties of a light, or of several together, that its choice depends on: position,
+/// orientation and brightness.
 struct LightBounds {
   glm::dvec3 lower{0}, upper{0};  ///< a box around it
   glm::dvec3 axis{0};             ///< the axis (a unit vector) of the cone that holds its normals
@@ -45,15 +45,15 @@ class LightTree {
 
   struct Choice {
     std::uint32_t light;
-    double chance;  ///< > 0
-    double u;       ///< in [0, 1), uniform again
+    double probability;  ///< > 0
+    double u;            ///< in [0, 1), uniform again
   };
   /// u in [0, 1) needs more digits than a float: a probability of 1e-6 would leave only four bits
-  /// of one. Returns nothing where no light that u leads to can contribute.
+  /// of one. Returns nothing if no light that u selects can contribute.
   std::optional<Choice> sample(carlo::Vec3 p, carlo::Vec3 n, double u) const;
 
   /// The probability with which sample() chooses a light.
-  double chance(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
+  double probability(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
 
   /// Splits the lights into at most this many groups, each a part of the tree; strong groups of
   /// large extent are split first. Leaves out `everywhere`.
@@ -84,10 +84,10 @@ class LightTree {
 
   float estimate(std::uint32_t node, carlo::Vec3 p, carlo::Vec3 n) const;
   /// The probability of the left one of two siblings; nothing if neither can contribute.
-  std::optional<double> chance_of_left(std::uint32_t left, carlo::Vec3 p, carlo::Vec3 n) const;
+  std::optional<double> probability_of_left(std::uint32_t left, carlo::Vec3 p, carlo::Vec3 n) const;
   void collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const;
-  double floor_chance(std::uint32_t light) const;
-  double chance_by_descent(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
+  double floor_probability(std::uint32_t light) const;
+  double probability_by_descent(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
 
   std::vector<Node> nodes_;
   std::uint32_t everywhere_ = nowhere;  ///< the node of `everywhere`
@@ -97,7 +97,7 @@ class LightTree {
   LightBounds bounds_;
 };
 
-/// Finds the element of a running sum that u, in [0, 1), falls into; u becomes its place within.
+/// Finds the element of a running sum that u, in [0, 1), selects; u becomes its position within.
 std::size_t pick(std::span<const double> sums, double& u);
 
 /// Extends a u of 24 bits to 53. The digits below are a hash of this u and of the sample's other

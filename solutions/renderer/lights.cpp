@@ -93,17 +93,17 @@ float cone_of(const Sphere& s, Vec3 from) {
 }
 
 /// True if `from` lies in front of the plane through `point` with normal n, despite rounding.
-bool in_front(const Place& from, Vec3d point, Vec3 error, Vec3d n) {
+bool in_front(const RoundedPoint& from, Vec3d point, Vec3 error, Vec3d n) {
   const double blur = glm::dot(glm::abs(n), Vec3d(from.error) + Vec3d(error));
   return glm::dot(n, Vec3d(from.p) - point) > blur;
 }
 
-bool in_front(const Place& from, const RectangleFrame& rectangle) {
+bool in_front(const RoundedPoint& from, const RectangleFrame& rectangle) {
   return in_front(from, rectangle.origin, Vec3(0), rectangle.z);
 }
 
 /// True if `from` lies outside the sphere, despite rounding.
-bool outside(const Sphere& s, const Place& from) {
+bool outside(const Sphere& s, const RoundedPoint& from) {
   const Vec3d d = Vec3d(s.center) - Vec3d(from.p);
   const double r = s.radius;
   const Vec3 center_error = carlo::rounding_bound(3) * (glm::abs(s.center) + Vec3(s.radius));
@@ -148,7 +148,7 @@ LightBounds bounds_of(const Disk& s, double radiance) {
   const Vec3d half = static_cast<double>(s.radius) * glm::sqrt(glm::max(Vec3d(0), 1.0 - n * n));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, n, 1, radiance * area_of(s)};
 }
-/// From everywhere as bright as a disk of its radius.
+/// From every direction as bright as a disk of its radius.
 LightBounds bounds_of(const Sphere& s, double radiance) {
   const Vec3d half(static_cast<double>(s.radius));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, {}, -1, radiance * area_of(s) / 4};
@@ -236,11 +236,11 @@ Lights::Entry Lights::shape_entry(std::uint32_t index) const {
   return entry;
 }
 
-std::optional<LightSample> Lights::sample(const Receiver& from, float u_light, Vec2 u) const {
+std::optional<LightSample> Lights::sample(const ShadingPoint& from, float u_light, Vec2 u) const {
   const auto choice = tree_->sample(from.p, from.n, with_more_digits(u_light, u));
   if (!choice) return std::nullopt;
   const Leaf& leaf = leaves_[choice->light];
-  const auto chance = static_cast<float>(choice->chance);
+  const auto probability = static_cast<float>(choice->probability);
   std::optional<LightSample> sample;
   switch (entries_[leaf.entry].kind) {
     case Entry::Kind::shape:
@@ -248,17 +248,18 @@ std::optional<LightSample> Lights::sample(const Receiver& from, float u_light, V
       break;
     case Entry::Kind::point:
       sample = sample_point(entries_[leaf.entry], from);
-      if (sample) sample->radiance /= chance;
+      if (sample) sample->radiance /= probability;
       break;
     case Entry::Kind::envmap:
       sample = sample_envmap(from, u);
       break;
   }
-  if (sample) sample->pdf *= chance;
+  if (sample) sample->pdf *= probability;
   return sample;
 }
 
-std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place& from) const {
+std::optional<LightSample> Lights::sample_point(const Entry& entry,
+                                                const RoundedPoint& from) const {
   const carlo::PointLight& light = scene_.lights.points[entry.index];
   const Vec3 d = light.position - from.p;
   const float distance2 = glm::dot(d, d);
@@ -268,22 +269,23 @@ std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place&
       false};
 }
 
-LightSample Lights::sample_envmap(const Place& from, Vec2 u) const {
+LightSample Lights::sample_envmap(const RoundedPoint& from, Vec2 u) const {
   const EnvmapTable::Sample sample = envmap_->sample(u);
   return {from.p + far_ * sample.wi,   Vec3(0), Vec3(0), sample.radiance, sample.pdf,
           carlo::Intersector::nothing, false};
 }
 
-EnvmapTable::Texel Lights::beyond(const Receiver& from, Vec3 d) const {
+EnvmapTable::Texel Lights::beyond(const ShadingPoint& from, Vec3 d) const {
   if (!envmap_) return {Rgb(0), 0};
   EnvmapTable::Texel texel = envmap_->at(d);
   if (!envmap_is_sampled_) return {texel.radiance, 0};
   const auto last = static_cast<std::uint32_t>(leaves_.size() - 1);
-  texel.pdf *= static_cast<float>(tree_->chance(last, from.p, from.n));
+  texel.pdf *= static_cast<float>(tree_->probability(last, from.p, from.n));
   return texel;
 }
 
-std::optional<LightSample> Lights::sample_shape(const Leaf& leaf, const Place& from, Vec2 u) const {
+std::optional<LightSample> Lights::sample_shape(const Leaf& leaf, const RoundedPoint& from,
+                                                Vec2 u) const {
   const Entry& entry = entries_[leaf.entry];
   const Shape& shape = scene_.shapes[entry.index];
   const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
@@ -311,15 +313,16 @@ std::optional<LightSample> Lights::sample_shape(const Leaf& leaf, const Place& f
   return result(point, area_pdf(from.p, point.p, point.n, leaf.area));
 }
 
-float Lights::pdf(const Receiver& from, const carlo::Hit& hit) const {
+float Lights::pdf(const ShadingPoint& from, const carlo::Hit& hit) const {
   const Entry& entry = entries_[entry_of_shape_[hit.shape]];
   const std::uint32_t leaf = entry.first_leaf + (entry.mesh != nullptr ? hit.primitive : 0);
   const float density = shape_pdf(leaves_[leaf], from, {hit.p, hit.p_error}, hit.n);
   if (!(density > 0)) return 0;
-  return density * static_cast<float>(tree_->chance(leaf, from.p, from.n));
+  return density * static_cast<float>(tree_->probability(leaf, from.p, from.n));
 }
 
-float Lights::shape_pdf(const Leaf& leaf, const Place& from, const Place& point, Vec3 n) const {
+float Lights::shape_pdf(const Leaf& leaf, const RoundedPoint& from, const RoundedPoint& point,
+                        Vec3 n) const {
   const Entry& entry = entries_[leaf.entry];
   if (entry.rectangle) {
     if (!in_front(from, *entry.rectangle)) return 0;

@@ -18,12 +18,12 @@ using carlo::Vec2;
 using carlo::Vec3;
 
 /// A point of a surface with a bound on the rounding error of each of its coordinates.
-struct Place {
+struct RoundedPoint {
   Vec3 p{0}, error{0};
 };
 
-/// A point that receives light: n is the unit normal of the lit side.
-struct Receiver : Place {
+/// A shading point: n is the unit normal of the lit side.
+struct ShadingPoint : RoundedPoint {
   Vec3 n{0};
 };
 
@@ -52,22 +52,22 @@ class Lights {
 
   /// The least probability with which any light (a mesh as a whole) is chosen; 1 if there is no
   /// choice.
-  double least_chance() const {
+  double least_probability() const {
     return entries_.size() > 1 ? LightTree::floor / static_cast<double>(entries_.size()) : 1;
   }
 
   /// Returns nothing when the light sends no radiance to `from`, or when rounding hides whether it
-  /// does, since a flat light does not light itself. Rays that meet the light account for that
+  /// does, since a flat light does not light itself. Rays that hit the light account for that
   /// radiance.
-  std::optional<LightSample> sample(const Receiver& from, float u_light, Vec2 u) const;
+  std::optional<LightSample> sample(const ShadingPoint& from, float u_light, Vec2 u) const;
 
   /// The density, per solid angle at `from`, with which sample() gives the point of `hit`; the hit
   /// shape must emit. 0 where sample() gives nothing.
-  float pdf(const Receiver& from, const carlo::Hit& hit) const;
+  float pdf(const ShadingPoint& from, const carlo::Hit& hit) const;
 
   /// The radiance along direction d from the environment map, and the density with which
   /// sample() gives d at `from`; both 0 if there is no image.
-  EnvmapTable::Texel beyond(const Receiver& from, Vec3 d) const;
+  EnvmapTable::Texel beyond(const ShadingPoint& from, Vec3 d) const;
 
  private:
   /// A shape, a point or the environment map.
@@ -81,7 +81,7 @@ class Lights {
     bool shades_itself = true;  ///< as in LightSample
     std::uint32_t first_leaf = 0;
   };
-  /// What is chosen: an entry, or one triangle of a mesh entry.
+  /// A light that can be chosen: an entry, or one triangle of a mesh entry.
   struct Leaf {
     std::uint32_t entry;
     std::uint32_t triangle;
@@ -93,11 +93,12 @@ class Lights {
   void add_leaf(double area, const LightBounds& bounds, std::vector<LightBounds>& all,
                 std::uint32_t triangle = 0);
   void add_shape(std::uint32_t index, std::vector<LightBounds>& all);
-  std::optional<LightSample> sample_point(const Entry& entry, const Place& from) const;
-  LightSample sample_envmap(const Place& from, Vec2 u) const;
-  std::optional<LightSample> sample_shape(const Leaf& leaf, const Place& from, Vec2 u) const;
+  std::optional<LightSample> sample_point(const Entry& entry, const RoundedPoint& from) const;
+  LightSample sample_envmap(const RoundedPoint& from, Vec2 u) const;
+  std::optional<LightSample> sample_shape(const Leaf& leaf, const RoundedPoint& from, Vec2 u) const;
   /// The density at `from` of a point with normal n on a leaf that is a shape or part of one.
-  float shape_pdf(const Leaf& leaf, const Place& from, const Place& point, Vec3 n) const;
+  float shape_pdf(const Leaf& leaf, const RoundedPoint& from, const RoundedPoint& point,
+                  Vec3 n) const;
 
   const carlo::Scene& scene_;
   std::vector<Entry> entries_;

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
                      "caustics and hidden lights; auto: the better by a short trial")
               .one_of({"auto", "path", "bidirectional"})
               .show_default();
-          app.footer("./carlo render --mine ... renders by your own lab 08.");
+          app.footer("./carlo render --mine ... renders by your own lab 8.");
         });
   });
 }

@@ -68,11 +68,11 @@ MeshLight::Sample MeshLight::sample(Vec3 p, Vec3 n, Vec2 u) const {
   if (!choice) return {};
   const std::uint32_t triangle = choice->light;
   return {sample_triangle(*mesh_, triangle, {below_one(choice->u), u.y}), triangle,
-          choice->chance / triangle_area(*mesh_, triangle)};
+          choice->probability / triangle_area(*mesh_, triangle)};
 }
 
 double MeshLight::density(Vec3 p, Vec3 n, std::uint32_t triangle) const {
-  return tree_.chance(triangle, p, n) / triangle_area(*mesh_, triangle);
+  return tree_.probability(triangle, p, n) / triangle_area(*mesh_, triangle);
 }
 
 }  // namespace renderer

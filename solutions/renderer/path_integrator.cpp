@@ -26,8 +26,8 @@ using carlo::Hit;
 using carlo::Ray;
 using carlo::Scene;
 
-/// A closed scene without absorption has paths without end. They are cut here, and reported; with
-/// roulette a path of albedo .999 has this length with probability e^-64.
+/// A closed scene without absorption has endless paths, which are cut at this length and reported;
+/// with roulette, at albedo .999, a path has this length with probability e^-64.
 constexpr int longest_path = 1 << 16;
 
 /// Roulette from the first bounce on (threshold 1) makes paths cheap but the image noisy; no
@@ -81,7 +81,7 @@ class PathIntegrator final : public carlo::Integrator {
 
   std::string name() const override { return "scalar path tracer, Embree"; }
 
-  double least_light_chance() const override { return lights_.least_chance(); }
+  double least_light_probability() const override { return lights_.least_probability(); }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               Counts& counts) const override {
@@ -99,15 +99,16 @@ class PathIntegrator final : public carlo::Integrator {
   }
 
  private:
-  /// A path in progress: the next ray, what it carries, and how its direction was drawn.
+  /// A path in progress: the next ray, its throughput, and how its direction was sampled.
   struct Path {
     Ray ray;
     Rgb beta{1};
     Rgb L{0};
-    float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
+    float eta_scale =
+        1;  ///< scaling of radiance by refraction so far; undone when the path leaves the glass
     bool nee_done = false;  ///< was next-event estimation done for the ray's direction?
     float pdf = 0;          ///< if so: the pdf of the ray's direction,
-    Receiver vertex;        ///< and where it started
+    ShadingPoint vertex;    ///< and where it started
     std::uint32_t dimension = film_dimensions;  ///< the first dimension of the current vertex
   };
 
@@ -130,8 +131,8 @@ class PathIntegrator final : public carlo::Integrator {
     return path.L;
   }
 
-  /// Follows the path's ray to the next surface, gathers light there and draws the next ray; false
-  /// when the path ends.
+  /// Follows the path's ray to the next surface, gathers light there and samples the next ray;
+  /// false when the path ends.
   bool extend(Path& path, Sampler& sampler, bool last, Counts& counts) const {
     Hit hit;
     ++counts.rays;
@@ -160,11 +161,11 @@ class PathIntegrator final : public carlo::Integrator {
         });
   }
 
-  /// The radiance from outside along a ray that met no shape; the environment map is
-  /// weighted against next-event estimation.
+  /// The radiance along a ray that hit no shape; the environment map is weighted against next-event
+  /// estimation.
   Rgb beyond(const Path& path) const {
     const auto& [points, environment, envmap] = scene_.lights;
-    (void)points;  // no ray meets a point
+    (void)points;  // no ray hits a point
     if (!envmap) return environment;
     const EnvmapTable::Texel texel = lights_.beyond(path.vertex, path.ray.d);
     const float weight = path.nee_done ? power_heuristic(path.pdf, texel.pdf) : 1;
@@ -213,7 +214,7 @@ class PathIntegrator final : public carlo::Integrator {
     ++counts.rays;
     if (intersector_.occluded(shadow.ray, shadow.length, light->shape)) return Rgb(0);
     const Rgb reflected = value.f * light->radiance * glm::dot(normal, wi);
-    if (light->pdf == 0) return reflected;  // a point light: nothing to compete with
+    if (light->pdf == 0) return reflected;  // no ray hits a point light: no weight
     return reflected * (power_heuristic(light->pdf, value.pdf) / light->pdf);
   }
 
@@ -244,7 +245,7 @@ class PathIntegrator final : public carlo::Integrator {
     return survives_roulette(path, sampler);
   }
 
-  /// Makes the path's ray leave the surface in direction d.
+  /// Starts the path's next ray at the surface in direction d.
   static void spawn(Path& path, const Hit& hit, Vec3 d) {
     path.ray = {carlo::offset_origin(hit.p, hit.p_error, hit.n, -path.ray.d, d), d};
   }

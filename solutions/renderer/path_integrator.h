@@ -9,11 +9,11 @@
 
 namespace renderer {
 
-/// Which code renders: the best one for the scene, or the scalar one, which renders all scenes.
+/// The code that renders: the best for the scene, or the scalar kernel, which renders all scenes.
 enum class Kernel { best, scalar };
 
-/// Where paths start: all at the camera, or some at the lights as well (lanes/lane_kernel.h), or
-/// whichever a short pilot finds better. The scalar kernel knows only the first.
+/// The starts of paths: all at the camera, or some at the lights as well (lanes/lane_kernel.h), or
+/// whichever a short pilot finds better. The scalar kernel supports only the first.
 enum class Technique { path, bidirectional, automatic };
 
 struct PathOptions {

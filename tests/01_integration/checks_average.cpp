@@ -41,8 +41,8 @@ const Diagnosis stratified{"points-stratified",
                            "exactly one point falls into each n-th of the interval; n independent "
                            "points leave some of these empty and others with several."};
 const Diagnosis even_points{"points-evenly-spaced",
-                            "the points stand at equal distances, as a rule's do: each of them has "
-                            "to be random by itself."};
+                            "the points are evenly spaced, like those of a quadrature rule: each "
+                            "of them has to be random by itself."};
 
 struct Interval {
   double a = 0, b = 1;

@@ -29,7 +29,7 @@ const Diagnosis error_without_volume{"standard-error-without-volume",
                                      "scales with the volume as the value does."};
 const Diagnosis error_of_accepted{"zeros-left-out-of-the-error",
                                   "the standard error looks only at the points inside; whether a "
-                                  "point falls inside is chance as well."};
+                                  "point falls inside is random as well."};
 const Diagnosis error_by_n{"variance-divided-by-n",
                            "the sum of squares is divided by N; the unbiased estimate takes "
                            "N - 1."};

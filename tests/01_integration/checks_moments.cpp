@@ -33,18 +33,18 @@ const Diagnosis no_root{"standard-error-squared",
 const Diagnosis divided_by_all{"standard-error-divided-by-n",
                                "the standard deviation is divided by N, not by sqrt(N)."};
 const Diagnosis between_missing{"merge-without-between-means",
-                                "merging adds the spreads within both parts, but their means "
-                                "differ too, and that is spread as well."};
+                                "merging adds the spread within each part; the difference of "
+                                "their means adds to the spread as well."};
 const Diagnosis mean_of_means{"mean-of-the-means",
-                              "the merged mean is half-way between the two means, as if as many "
-                              "numbers stood behind each of them."};
+                              "the merged mean is half-way between the two means, as if both "
+                              "parts held equally many numbers."};
 const Diagnosis counted_late{"divided-by-the-count-before",
-                             "the mean of one number is no number: its distance is divided by 0, a "
-                             "count that does not hold the new number yet."};
+                             "the mean of one number is NaN: its distance is divided by 0, a "
+                             "count that does not include the new number yet."};
 const Diagnosis few_numbers{
     "statistics-of-too-few",
-    "no number has no mean, and fewer than two have no variance: the contract "
-    "wants 0 there, and 0 divided by 0 is not 0."};
+    "the mean of no number and the variance of fewer than two are undefined: the contract "
+    "requires 0 there, and 0/0 is not 0."};
 
 const Diagnosis nothing_merged{"merge-of-nothing",
                                "two parts without a number are merged into NaN: their counts add "

@@ -31,12 +31,12 @@ const Diagnosis ends_not_halved{"trapezoid-ends-not-halved",
 const Diagnosis weights_swapped{"simpson-weights-swapped",
                                 "the weights 4 (midpoints) and 2 (inner joints) are swapped."};
 const Diagnosis wrong_factor{"simpson-wrong-factor",
-                             "Simpson's weighted sum has the wrong factor in front of it: of a "
-                             "function that is 1 everywhere it must make b - a."};
+                             "Simpson's weighted sum has the wrong factor: for a function that "
+                             "is 1 everywhere the result must be b - a."};
 const Diagnosis no_midpoints{
     "simpson-without-midpoints",
-    "f is evaluated n + 1 times: here every one of the n cells has its own "
-    "parabola through its ends and its middle, so there are 2 n + 1."};
+    "f is evaluated n + 1 times: here each of the n cells has its own parabola through its ends "
+    "and its midpoint, which takes 2 n + 1."};
 const Diagnosis one_too_many{"one-round-too-many",
                              "one evaluation too many: a loop runs one round too far, up to the "
                              "interval's end."};
@@ -46,9 +46,9 @@ const Diagnosis joints_twice{"joints-evaluated-twice",
 const Diagnosis at_left_ends{"midpoint-at-cell-ends",
                              "f is evaluated at the cells' ends and not in their middle."};
 const Diagnosis drift{"step-accumulated",
-                      "the points drift from where they should be: adding h again and again adds "
-                      "up its rounding; compute each point from its index."};
-const Diagnosis wrong_rule_points{"wrong-points", "f is not evaluated where the rule wants it."};
+                      "the points drift from where they should be: adding h repeatedly "
+                      "accumulates rounding errors; compute each point from its index."};
+const Diagnosis wrong_rule_points{"wrong-points", "f is not evaluated at the points of the rule."};
 const Diagnosis cell_width_missing{"missing-cell-width",
                                    "the sum is not multiplied by the width h."};
 struct RuleInterval {

@@ -1,4 +1,4 @@
-// Probes of lab 01's exercises on the line: 1.1 to 1.4. They call the student's functions and
+// Probes of lab 1's exercises on the line: 1.1 to 1.4. They call the student's functions and
 // return raw values; checks_*.cpp says what the values should be.
 
 #include "01_integration/drawn.h"

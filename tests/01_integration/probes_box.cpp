@@ -1,4 +1,4 @@
-// Probes of lab 01's exercises in several dimensions: 1.5 to 1.7.
+// Probes of lab 1's exercises in several dimensions: 1.5 to 1.7.
 
 #include "01_integration/drawn.h"
 #include "01_integration/integrands.h"

@@ -19,8 +19,7 @@ inline carlo::grader::Suspect of_whole_division(double n) {
 }
 
 inline const carlo::grader::Diagnosis sum_of_sides{
-    "sum-of-sides",
-    "the sides of the box are added up for its volume; they have to be multiplied."};
+    "sum-of-sides", "the box's volume is taken as the sum of its sides; it is their product."};
 
 /// The results if `mean` is multiplied by a sum of sides instead of the box's volume, for sums that
 /// begin with 0 and with 1. With a single side the sum is right.

@@ -20,7 +20,7 @@ const Unsaid unsaid{"integrand"};
 const Diagnosis factor_missing{"factor-four-missing",
                                "the integrand lacks its factor 4: its integral is π/4."};
 const Diagnosis squares_of_sum{"squares-is-not-the-sum-of-squares",
-                               "squares is to be the sum of the y^2, not the square of the sum."};
+                               "squares has to be the sum of the y^2, not the square of the sum."};
 const Diagnosis float_sum{"float-accumulation",
                           "a sum is kept in a float somewhere: 7 digits are not enough."};
 const Diagnosis by_n{"variance-divided-by-n",
@@ -31,26 +31,28 @@ const Diagnosis error_of_one{"standard-error-of-one-number",
 const Diagnosis variance_given{"variance-not-its-root",
                                "the variance is given: its square root is asked for."};
 const Diagnosis of_share{"deviation-of-the-share",
-                         "this belongs to a score of 1 or 0 and not of 4 or 0."};
+                         "this is the result for a score of 1 or 0, not of 4 or 0."};
 const Diagnosis mean_not_subtracted{"mean-square-only",
-                                    "the root of the mean square is given; the square of the mean "
-                                    "is still to be subtracted."};
+                                    "the root of the mean square is given; the square of the "
+                                    "mean has to be subtracted first."};
 const Diagnosis not_squared{"samples-not-squared",
                             "the error falls with the root of N: half the error takes four times "
                             "the samples, not twice."};
 const Diagnosis rounded_down{"samples-rounded-down",
-                             "rounded down (or to the nearest), the interval is a little wider "
-                             "than asked."};
-const Diagnosis z_missing{"z-missing", "the z standard errors are taken for one."};
+                             "the number is rounded down (or to nearest), so the interval is "
+                             "slightly wider than required."};
+const Diagnosis z_missing{"z-missing",
+                          "the half width is treated as one standard error, not as "
+                          "z of them."};
 const Diagnosis full_width{"full-width-for-half",
                            "half_width is taken for the whole width of the interval."};
 
 const Diagnosis root_of_negative{"root-of-a-number-below-zero",
-                                 "of equal numbers, rounding leaves a spread a little below 0, "
-                                 "which has no root: take it as 0."};
+                                 "for equal numbers rounding leaves a spread slightly below 0, "
+                                 "whose root is NaN: treat it as 0."};
 const Diagnosis samples_cut{"samples-in-32-bits",
-                            "more samples than 32 bits can count (2^31 - 1) are needed, and the "
-                            "number is cut: keep it in 64."};
+                            "more samples than a 32-bit integer can count (2^31 - 1) are needed, "
+                            "and the number is truncated: use 64 bits."};
 
 struct Method {
   const char* function;
@@ -62,7 +64,7 @@ constexpr std::array<Method, 2> methods{
     {{"sum_circle", "4 sqrt(1 - x^2)", Integrand::circle, circle_moments},
      {"sum_arctangent", "4 / (1 + x^2)", Integrand::arctangent, arctangent_moments}}};
 
-/// As the probes' parameter.
+/// Converts to the probes' parameter.
 double number_of(Integrand which) {
   return which == Integrand::circle ? 0 : 1;
 }

@@ -44,15 +44,16 @@ const Diagnosis variance_for_error{"variance-in-place-of-standard-error",
 const Diagnosis darts_by_n{"variance-divided-by-n",
                            "the variance is divided by N; the unbiased estimate takes N - 1."};
 const Diagnosis normal_interval{"interval-of-the-measured-variance",
-                                "the estimate ± z standard errors is given, whose width comes from "
-                                "the measured share: with no hit, or no miss, it is 0."};
+                                "the estimate ± z standard errors is given, with a width "
+                                "computed from the measured share: with no hit, or no miss, the "
+                                "width is 0."};
 const Diagnosis interval_not_scaled{
     "interval-not-scaled-to-pi", "the limits are those of the share of hits; π is 4 times that."};
 const Diagnosis not_shrunk{"interval-not-divided",
                            "the division by 1 + z^2/N is missing: the coefficient of p^2 in the "
                            "quadratic equation is not 1."};
 
-const Diagnosis swapped{"limits-swapped", "the lower limit stands in the place of the upper one."};
+const Diagnosis swapped{"limits-swapped", "the lower and the upper limit are swapped."};
 const Diagnosis centre_moved_twice{
     "centre-moved-twice",
     "the centre is moved by z^2/N where the quadratic equation gives z^2/(2N)."};

@@ -19,27 +19,27 @@ using lab02_tests::plain_loop;
 namespace {
 
 const Diagnosis corner{"corner-of-the-cell",
-                       "a dart lies at the centre of its cell, half a step from (x, y): taken at "
-                       "the corner, a few darts too many hit."};
+                       "a dart lies at the centre of its cell, half a step from (x, y): if the "
+                       "corner is taken, slightly too many darts hit."};
 const Diagnosis fast_float_counter{
     "float-counter", "the hits stop at 16777216 = 2^24: a float cannot count further."};
 const Diagnosis ragged{
     "range-not-in-whole-rounds",
-    "ranges that begin with an even dart and have a round length are right, others are not: the "
-    "darts before the first whole word or after the last whole round."};
+    "ranges that begin with an even dart and have a round length are right, others are not: "
+    "check the darts before the first whole word and after the last whole round."};
 const Diagnosis cut_number{"dart-number-in-32-bits",
-                           "far along the list the darts are others than they should be: a dart's "
-                           "number is kept in 32 bits somewhere, which end at 2^32 - 1."};
+                           "far along the list the darts are wrong: a dart's number is kept in "
+                           "32 bits somewhere, and overflows after 2^32 - 1."};
 const Diagnosis cut_squares{"squares-in-32-bits",
                             "bits are lost: the sum of two squares, or the square that it is "
-                            "compared with, needs more than "
-                            "32 of them, and a product of two numbers of 32 bits has no more."};
+                            "compared with, needs more than 32 of them, and the product of two "
+                            "32-bit numbers has only 32."};
 const Diagnosis small_counter{
     "counter-overflows",
-    "the hits are kept in too few bits: past the largest number that these "
-    "hold, the count begins again."};
+    "the hits are kept in too few bits: past the largest number that these can hold, the count "
+    "wraps around."};
 const Diagnosis slow{"not-faster",
-                     "the count is right, but a dart takes too long: ./carlo hint 2.5 leads on."};
+                     "the count is right, but a dart takes too long: see ./carlo hint 2.5."};
 
 /// Only right counts are reported as slow.
 std::vector<Diagnosis> slow_if(bool right) {

@@ -31,10 +31,9 @@ const Diagnosis left_out{"sums-not-complete",
                          "count, sum and squares of the parts must all be added up: one of them "
                          "is not."};
 const Diagnosis lost_parts{"parts-lost",
-                           "with one thread all is there, with several something is missing: "
-                           "threads that add to one variable without a lock overwrite each other. "
-                           "Keep each chunk's result and add them up after all threads have "
-                           "ended."};
+                           "the sum is complete with one thread, but not with several: threads "
+                           "that add to one variable without a lock overwrite each other. Keep "
+                           "each chunk's result and add them up after all threads have ended."};
 const Diagnosis too_few{
     "threads-not-at-the-same-time",
     "fewer samplers than threads run at the same time: is each thread joined before the next one "
@@ -43,9 +42,9 @@ const Diagnosis too_few{
 const Diagnosis too_many{"too-many-threads", "more samplers run at once than `threads` allows."};
 const Diagnosis fixed_shares{"fixed-shares",
                              "a thread that is free does not take over chunks that nobody has "
-                             "begun: one slow chunk holds up those dealt to the same thread."};
+                             "begun: one slow chunk delays those assigned to the same thread."};
 const Diagnosis swallowed{"exception-lost",
-                          "the sampler threw, and the caller never learnt of it: an incomplete sum "
+                          "the sampler threw, but the caller got no exception: an incomplete sum "
                           "was returned."};
 const Diagnosis other_exception{"exception-replaced",
                                 "an exception arrived, but not the one that the sampler threw: "
@@ -56,8 +55,8 @@ const Diagnosis continues{"works-on-after-a-failure",
                           "further chunks are begun although one has failed already."};
 const Diagnosis race{"data-race",
                      "two threads that take a chunk at the same moment get the same one: reading "
-                     "the number of the next chunk and advancing it must be one step that nobody "
-                     "comes between (one ++ of a std::atomic, or a lock around both)."};
+                     "the number of the next chunk and advancing it must be one indivisible step "
+                     "(one ++ of a std::atomic, or a lock around both)."};
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

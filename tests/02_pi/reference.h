@@ -1,6 +1,6 @@
 #pragma once
 
-// The right answers of lab 02 for a seed, written for clarity, not for speed. The judge computes
+// The right answers of lab 2 for a seed, written for clarity, not for speed. The judge computes
 // them itself, since expected values from a worker may be forged.
 
 #include "random/hash.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// The theoretical values of lab 02's numbers, derived here and not taken from any solution.
+// The theoretical values of lab 2's numbers, derived here and not taken from any solution.
 
 #include "grader/judge/compare.h"
 

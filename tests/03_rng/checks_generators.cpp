@@ -22,8 +22,8 @@ const Diagnosis one_step_off{"jump-off-by-one", "the jump is one step too long o
 const Diagnosis step_by_step{"jumps-step-by-step",
                              "the time grows with n: the steps are made one by one."};
 const Diagnosis summand_late{"jump-summand-after-factor",
-                             "the summand of the doubled map takes the old factor; it is updated "
-                             "after the factor here."};
+                             "the summand of the doubled map needs the old factor; here it is "
+                             "updated after the factor."};
 
 constexpr std::uint32_t a = 1664525, b = 1013904223;
 
@@ -149,7 +149,9 @@ const std::vector<std::pair<Pcg::Slip, Diagnosis>>& pcg_diagnoses() {
   static const std::vector<std::pair<Slip, Diagnosis>> all = {
       {Slip::rotate_left, {"rotates-left", "the 32 bits are rotated to the left."}},
       {Slip::rotate_by_low_bits,
-       {"rotates-by-low-bits", "the lowest five bits say how far to rotate; it is the top five."}},
+       {"rotates-by-low-bits",
+        "the lowest five bits are used as the rotation; it is given by "
+        "the top five."}},
       {Slip::no_rotation, {"rotation-missing", "the 32 bits are not rotated."}},
       {Slip::no_xor,
        {"xor-missing", "the state shifted by 18 is not combined with the state itself."}},
@@ -161,7 +163,9 @@ const std::vector<std::pair<Pcg::Slip, Diagnosis>>& pcg_diagnoses() {
       {Slip::output_after_step,
        {"output-from-new-state", "the output is made from the state after the step."}},
       {Slip::plain_seed,
-       {"seed-taken-as-state", "the seed is taken as the state; two steps belong around it."}},
+       {"seed-taken-as-state",
+        "the seed is used as the state; the generator has to step before "
+        "and after adding it."}},
       {Slip::no_first_step,
        {"first-step-missing", "the step before the seed is added is left out."}},
       {Slip::no_last_step, {"last-step-missing", "the step after the seed was added is left out."}},

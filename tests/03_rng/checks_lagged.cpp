@@ -19,8 +19,7 @@ const Diagnosis operands_swapped{"operands-swapped",
                                  "x_{n-k} - x_{n-j} is computed; it is x_{n-j} - x_{n-k}."};
 const Diagnosis wrong_place{
     "wrong-place-in-ring",
-    "the word taken for x_{n-j} stands j places after the oldest one, not j "
-    "places before the newest."};
+    "the word used as x_{n-j} is j places after the oldest one, not j places before the newest."};
 const Diagnosis late{"returns-the-oldest",
                      "every number comes k calls late: the word that is replaced is returned."};
 const Diagnosis all_even{"all-words-even",
@@ -28,27 +27,27 @@ const Diagnosis all_even{"all-words-even",
                          "ever."};
 const Diagnosis not_hashed{
     "seed-not-hashed",
-    "first words of neighbouring seeds, or neighbouring words, depend on each "
-    "other: the seed has to be hashed, for each word anew."};
+    "first words of neighbouring seeds, or neighbouring words, depend on each other: each word "
+    "needs its own hash of the seed."};
 const Diagnosis seeds_shift{
     "seeds-shift-one-stream",
-    "seeds share their words, at other places: the sum of seed and place is hashed, and many seeds "
-    "have the same sums."};
+    "seeds share words at different places: the sum of seed and place is hashed, and many seeds "
+    "give the same sums."};
 const Diagnosis word_constant{"first-word-constant",
-                              "one word is the same for every seed: setting its lowest bit makes "
-                              "it odd, and leaves it its other bits."};
+                              "one word is the same for every seed: to make it odd, set its "
+                              "lowest bit and keep the others."};
 const Diagnosis bits_fixed{"bits-fixed", "some bits are the same in every word."};
 const Diagnosis all_odd{
     "too-many-odd",
-    "more words are made odd than the one that has to be: the lowest bits of all "
-    "numbers then follow one pattern, the same for all seeds."};
+    "more words are made odd than necessary: the lowest bits of all numbers then follow one "
+    "pattern, the same for all seeds."};
 const Diagnosis moves_all{"not-constant-time",
                           "the time grows with k: erasing at the front moves all words. Write the "
                           "new word over the oldest one, and move oldest_ on."};
 const Diagnosis seed_cut{"seed-cut-to-32-bits", "only the lower 32 bits of the seed are used."};
 const Diagnosis seed_ignored{"seed-ignored", "different seeds give the same words."};
 const Diagnosis not_repeatable{"not-repeatable",
-                               "the same seed gives other words when it is asked again."};
+                               "the same seed gives different words the second time."};
 
 constexpr std::int64_t many_seeds = 20'000;
 constexpr double bit_slack = 0.0266;

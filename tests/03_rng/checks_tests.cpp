@@ -16,18 +16,19 @@ namespace {
 
 const Diagnosis freedom_of_cells{
     "degrees-of-freedom",
-    "p belongs to as many degrees of freedom as there are counts; their "
-    "sum is given, so one fewer is free."};
+    "p is computed with as many degrees of freedom as there are counts; since their sum is "
+    "given, there is one fewer."};
 const Diagnosis by_counts{"divides-by-the-counts",
-                          "the squares are divided by what was counted, not by what was expected."};
+                          "the squares are divided by the counts, not by the expected values."};
 const Diagnosis not_divided{"squares-not-divided",
-                            "the squares are not put in proportion to what was expected."};
+                            "the squares are not divided by the expected values."};
 const Diagnosis tails_swapped{"tails-swapped", "the two tails are mixed up."};
 const Diagnosis tail_by_difference{"tail-by-difference",
-                                   "a tail is computed as 1 - the other one: what is smaller than "
-                                   "1e-16 is lost."};
+                                   "a tail is computed as 1 minus the other one: values below "
+                                   "1e-16 are lost."};
 const Diagnosis tail_not_set{"tail-not-set",
-                             "a tail is still 1, as a TestResult is made: nothing was stored."};
+                             "a tail is still 1, the initial value of a TestResult: nothing was "
+                             "stored."};
 const Diagnosis wrong_field{"wrong-bits", "the field is cut out of the wrong place of the word."};
 const Diagnosis whole_expectation{"expectation-rounded",
                                   "N / 2^bits is rounded to a whole number; it need not be one."};
@@ -132,7 +133,7 @@ struct Lcg {
   std::uint64_t a, c;
 };
 
-const Diagnosis not_squared{"length-not-squared", "nu_2 is returned; asked for is its square."};
+const Diagnosis not_squared{"length-not-squared", "nu_2 is returned; its square is required."};
 const Diagnosis stops_early{"reduction-stops-early",
                             "the length is that of (-a, 1): the reduction stops before it has "
                             "begun."};
@@ -140,7 +141,7 @@ const Diagnosis overflows{"squares-overflow",
                           "squares of numbers up to 2^32 overflow 64 bits, where 2^64 becomes 0; "
                           "they need a Wide."};
 const Diagnosis not_nearest{"quotient-not-nearest",
-                            "vectors come out that are not the shortest: is the multiple rounded "
+                            "the resulting vectors are not the shortest: is the multiple rounded "
                             "to the nearest whole number, also when it is negative?"};
 
 /// One diagnosis that fits all lengths, including the right ones.

@@ -1,8 +1,11 @@
 // Checks of exercises 3.5 and 3.6: floats and whole numbers from words.
 
-#include "03_rng/chi_square_is.h"
 #include "03_rng/sequences.h"
 #include "03_rng/words.h"
+#include "grader/judge/compare.h"
+#include "grader/judge/figures.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -10,27 +13,46 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <string>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab03_tests;
 
 namespace {
 
+/// Chi-square test of counts against the expected ones (>= 100 each), at the level of one
+/// comparison; too good a fit fails as well.
+carlo::grader::Verdict chi_square_is(const std::string& what, const std::vector<double>& counts,
+                                     const std::vector<double>& expected) {
+  double statistic = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    statistic += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
+  const auto freedom = static_cast<double>(counts.size() - 1);
+  double count = 0;
+  for (const double number : expected)
+    count += number;
+  carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(what, statistic, freedom);
+  verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, count);
+  if (!verdict.passed) verdict.figure = carlo::grader::counts_figure({}, counts, expected);
+  return verdict;
+}
+
 constexpr std::int64_t tried = 50'000;
 constexpr std::size_t all_tried = 50'000 + 2 * 4096;
 
 const Diagnosis reaches_one{"float-reaches-one",
-                            "the largest words give exactly 1: a float cannot hold 32 digits and "
-                            "rounds up."};
+                            "the largest words give exactly 1: a float cannot hold 32 binary "
+                            "digits and rounds up."};
 const Diagnosis clamped{"clamped-below-one",
-                        "the words that would round to 1 are pushed back to the last float, which "
-                        "comes too often then; drop the digits before they are rounded."};
+                        "the words that would round to 1 are clamped to the last float, which "
+                        "then occurs too often; drop the digits before they are rounded."};
 const Diagnosis digits_lost{"digits-lost",
-                            "more of the word's digits are dropped than a float has to lose: 24 "
-                            "fit."};
+                            "more of the word's digits are dropped than necessary: a float holds "
+                            "24."};
 const Diagnosis a_for_b{"lower-end-for-upper",
-                        "where rounding reaches b, a is returned: as far away as can be. The float "
-                        "below b is next to it."};
+                        "where rounding reaches b, a is returned, the farthest value; the "
+                        "nearest is the float below b."};
 const Diagnosis reaches_b{"reaches-upper-end", "the upper end comes out: adding a rounds up to b."};
 const Diagnosis overflow{"width-overflows", "b - a overflows in float when both are huge."};
 
@@ -79,28 +101,26 @@ void judge_between(float a, float b) {
   judge(verdict);
 }
 
-const Diagnosis out_of_range{"integer-out-of-range", "numbers outside [u..v] come out."};
+const Diagnosis out_of_range{"integer-out-of-range", "numbers outside [u..v] are returned."};
 const Diagnosis end_missing{"upper-end-missing",
-                            "v itself never comes: there are v - u + 1 values."};
+                            "v itself never occurs: there are v - u + 1 values."};
 const Diagnosis modulo{"modulo-bias",
-                       "the low values come too often: the remainder deals the words that are left "
-                       "over to them."};
+                       "the low values occur too often: taking the remainder assigns the "
+                       "left-over words to them."};
 const Diagnosis division{"division-bias",
-                         "every few values one comes too often: scaling deals the words that are "
-                         "left over out at even distances, but deals them out."};
+                         "some values, at even distances, occur too often: scaling still assigns "
+                         "the left-over words to values."};
 const Diagnosis through_float{"through-a-float",
-                              "most values never come: a float has 2^24 values, no more."};
+                              "most values never occur: a float in [0, 1) has only 2^24 values."};
 const Diagnosis count_overflows{"count-overflows",
                                 "v - u + 1 is 2^32 for the widest range, which is 0 in 32 bits: "
                                 "count the values in 64."};
 const Diagnosis surplus_dealt{"surplus-word-dealt",
-                              "one of the words that are left over is dealt out all the same: is "
-                              "it < or <= at the limit?"};
+                              "one of the left-over words is used: is it < or <= at the limit?"};
 const Diagnosis good_refused{"good-word-refused",
-                             "one word more is refused than is left over: is it < or <= at the "
-                             "limit?"};
+                             "one word too many is rejected: is it < or <= at the limit?"};
 const Diagnosis draws_too_many{"draws-too-many-words",
-                               "too many words are thrown away: only those left over need be."};
+                               "too many words are rejected: only the left-over ones need be."};
 
 Rows integers(double u, double v, std::int64_t n) {
   return probe("Lab 3.6 integers", {.n = n, .numbers = {{"u", u}, {"v", v}}},

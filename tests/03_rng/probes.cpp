@@ -1,4 +1,4 @@
-// Probes of lab 03's generators: 3.1 to 3.4. They call the student's functions and return raw
+// Probes of lab 3's generators: 3.1 to 3.4. They call the student's functions and return raw
 // values; checks_*.cpp says what the values should be.
 
 #include "03_rng/words.h"

@@ -30,8 +30,8 @@ const Diagnosis of_one_point{"standard-error-of-one-point",
                              "a cell's variance is that of one point; the mean of m points has one "
                              "m-th of it."};
 const Diagnosis of_mean_cell{"variances-averaged",
-                             "the variance of a mean of K cells is the sum of their variances over "
-                             "K squared: one more K is to be divided by."};
+                             "the variance of a mean of K cells is the sum of their variances "
+                             "over K squared: divide by K once more."};
 const Diagnosis errors_added{"standard-errors-averaged",
                              "the cells' standard errors are averaged; it is their squares that "
                              "add."};
@@ -39,7 +39,7 @@ const Diagnosis plain_too_small{"plain-error-without-correction",
                                 "the plain error is too small: value^2 is on average larger than "
                                 "the squared integral, by the value's own variance."};
 const Diagnosis plain_within{"plain-error-only-within",
-                             "the plain error leaves out how the cells' means differ."};
+                             "the plain error omits the differences between the cells' means."};
 const Diagnosis cancellation{"sum-of-squares-cancellation",
                              "digits cancel where the mean is large: two sums of nearly equal size "
                              "are subtracted."};

@@ -25,10 +25,10 @@ const Diagnosis whole_division{"whole-number-division",
                                "all points lie in the first stratum: i/n of two whole numbers is a "
                                "whole number, 0."};
 const Diagnosis no_jitter{"no-jitter",
-                          "every point lies at the same place of its stratum on every run: that is "
-                          "a rule, with a rule's bias, and no random estimate."};
+                          "every point lies at the same place of its stratum in every run: that "
+                          "is a quadrature rule, with its bias, and not a random estimate."};
 const Diagnosis one_jitter{"one-jitter-for-all",
-                           "all strata share one random number: their errors add up in place of "
+                           "all strata share one random number: their errors add up instead of "
                            "cancelling."};
 const Diagnosis too_wide{"strata-over-n-minus-one",
                          "the strata are 1/(n-1) wide: the last one lies beyond 1."};
@@ -39,15 +39,15 @@ const Diagnosis whole_quotient{
 const Diagnosis not_divided{"sum-not-divided", "the sum of the values is not divided by n."};
 
 const Diagnosis reaches_one{"float-reaches-one",
-                            "the last stratum's points are rounded up to 1, which is outside of "
-                            "[0, 1): hard case of every renderer's first sampler."};
+                            "the last stratum's points are rounded up to 1, which is outside [0, "
+                            "1)."};
 const Diagnosis leaves_above{"leaves-stratum-above",
                              "x is rounded up to the first place of the next stratum: keeping it "
                              "below 1 helps the last stratum only."};
 const Diagnosis leaves_below{"leaves-stratum-below",
                              "x is rounded down to below i/n, where i/n is no float."};
 const Diagnosis share_changed{"share-changed",
-                              "u is no longer the share of the way through the stratum: it has "
+                              "u is no longer the relative position within the stratum: it has "
                               "been scaled, rounded coarsely or left out."};
 
 /// The average of x^k from one point in each of n strata: its cumulants are those of the strata,

@@ -18,14 +18,13 @@ namespace {
 const Diagnosis swapped{"columns-and-rows-swapped",
                         "points lie in the cells of a grid with columns and rows exchanged, or in "
                         "another order: x belongs to the column, which runs fastest."};
-const Diagnosis not_in_cell{"points-not-in-their-cells",
-                            "points lie outside of the cell that is theirs."};
+const Diagnosis not_in_cell{"points-not-in-their-cells", "points lie outside their cells."};
 const Diagnosis whole_cells{"whole-number-division",
                             "all points lie in the first cell: column/columns of two whole "
                             "numbers is a whole number, 0."};
 const Diagnosis axis_by_axis{"coordinates-axis-by-axis",
-                             "the coordinates come axis by axis; those of one point stand side by "
-                             "side, coordinate k of point j at [j * dimensions + k]."};
+                             "the coordinates are stored axis by axis; those of one point belong "
+                             "together, coordinate k of point j at [j * dimensions + k]."};
 const Diagnosis no_jitter_in_cells{"no-jitter", "all points lie at the same place of their cells."};
 const Diagnosis same_number{"same-number-for-x-and-y",
                             "x and y come from one random number: the points lie on the diagonals "
@@ -37,7 +36,7 @@ const Diagnosis whole_strata{"whole-number-division",
                              "all points lie in the first stratum of every axis: a quotient of two "
                              "whole numbers is a whole number, 0."};
 const Diagnosis in_order{"axis-in-order",
-                         "on an axis the strata are dealt out in order and not shuffled."};
+                         "on an axis the strata are assigned in order, not shuffled."};
 const Diagnosis same_order{"same-permutation-on-every-axis",
                            "all axes share one permutation: the points lie along the diagonal."};
 const Diagnosis biased_shuffle{"biased-shuffle",

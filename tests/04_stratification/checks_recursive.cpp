@@ -18,19 +18,20 @@ namespace {
 const Unsaid unsaid{"integrand"};
 
 const Diagnosis by_points{"halves-weighed-by-points",
-                          "the half with more points counts for more: both are half of the box, "
-                          "however many points they got."};
-const Diagnosis too_many{"more-than-n-evaluations",
-                         "f is evaluated more than n times: the points that explore have to come "
-                         "out of the n."};
-const Diagnosis too_few{"points-wasted", "most of the n points go into exploring, or nowhere."};
+                          "the half with more points is weighted more: each is half of the box, "
+                          "whatever its number of points."};
+const Diagnosis too_many{
+    "more-than-n-evaluations",
+    "f is evaluated more than n times: the exploring points count among the n."};
+const Diagnosis too_few{"points-wasted",
+                        "most of the n points are spent on exploring, or not used."};
 const Diagnosis outside_cube{"points-outside-cube", "f is evaluated outside of the unit cube."};
 const Diagnosis starved{"starved-box",
                         "a box was left without points, or with one: its part of the cube is "
                         "missing, or its variance."};
 const Diagnosis not_adaptive{"not-adaptive",
-                             "points are not drawn to where f varies: the halves get equal shares, "
-                             "or the split is blind."};
+                             "points do not concentrate where f varies: the halves get equal "
+                             "shares, or the choice of the split ignores f."};
 const Diagnosis backwards{"shares-exchanged",
                           "the points go where f does not vary: the halves' shares are "
                           "exchanged."};
@@ -41,16 +42,16 @@ const Diagnosis variance_halved{"variance-not-quartered",
                                 "the variance of (a + b)/2 is a quarter of the sum of both "
                                 "variances, not half of it."};
 const Diagnosis not_split{"no-gain",
-                          "strata take nothing away here: points are not spread over the boxes, or "
-                          "the boxes are not halved often enough."};
+                          "the strata do not reduce the variance: points are not spread over the "
+                          "boxes, or the boxes are not halved often enough."};
 const Diagnosis too_bold{"shares-too-bold",
-                         "points are shared out on thin evidence: a half in which a few exploring "
-                         "points saw little is left with so few that its error spoils the whole. "
-                         "Keep the shares nearer to one half."};
+                         "points are allocated on too little evidence: a half in which a few "
+                         "exploring points saw little variation gets so few that its error "
+                         "dominates. Keep the shares nearer to one half."};
 const Diagnosis explored_away{"too-many-explore",
                               "so many points explore that too few are left for the estimate."};
 const Diagnosis does_not_tile{"strata-do-not-fill-the-cube",
-                              "the boxes given overlap, or leave a part of the cube out."};
+                              "the boxes overlap, or leave out a part of the cube."};
 
 struct Case {
   std::string name;
@@ -221,8 +222,8 @@ double corner_share() {
   return record(corner, 16'384).at(0, 4);
 }
 
-/// Where the points go: into the corner where f varies, and into the estimate of the disc (0 if no
-/// strata are reported, which another test covers).
+/// The distribution of the points: in the corner where f varies, and in the estimate of the disc (0
+/// if no strata are reported, which another test covers).
 struct Spending {
   double in_corner = corner_share();
   double in_estimate = 0;

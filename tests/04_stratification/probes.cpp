@@ -1,4 +1,4 @@
-// Probes of lab 04's exercises 4.1 to 4.5. They call the student's functions and return raw values;
+// Probes of lab 4's exercises 4.1 to 4.5. They call the student's functions and return raw values;
 // checks_*.cpp says what the values should be.
 
 #include "04_stratification/drawn.h"

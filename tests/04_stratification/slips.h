@@ -8,8 +8,8 @@ namespace lab04_tests {
 
 inline const carlo::grader::Diagnosis one_part_divided{
     "one-part-divided",
-    "only one of the two, the stratum's number or the place within it, is divided by n: look at "
-    "the parentheses."};
+    "only one of the stratum's number and the position within it is divided by n: check the "
+    "parentheses."};
 
 /// True if x is i + u/n for a u in [0, 1).
 inline bool is_share_divided_alone(double x, double i, double n) {

@@ -16,8 +16,8 @@ using namespace lab05_tests;
 namespace {
 
 const Diagnosis infinite_at_0{"logarithm-of-u",
-                              "log(u) is minus infinity at u = 0, and the sample falls where u "
-                              "grows: take log(1 - u)."};
+                              "log(u) is minus infinity at u = 0, and the sample decreases as u "
+                              "grows: use log(1 - u)."};
 const Diagnosis cancels{"one-minus-u-cancels",
                         "for tiny u the difference 1 - u is 1 and the sample 0: log1p keeps the "
                         "digits."};
@@ -26,14 +26,14 @@ const Diagnosis times_rate{"multiplied-by-the-rate",
 const Diagnosis mirrored{"ends-swapped", "the density is mirrored: f0 belongs to x = 0."};
 const Diagnosis divides_by_difference{
     "divides-by-difference-of-ends",
-    "where f0 and f1 are equal or nearly so, dividing by f1 - f0 loses the digits or all."};
+    "where f0 and f1 are equal or nearly so, dividing by f1 - f0 loses digits, or is 0/0."};
 const Diagnosis zero_by_zero{"zero-by-zero-at-u-0",
-                             "with f0 = 0 the sample at u = 0 is 0/0: treat u = 0 on its own."};
+                             "with f0 = 0 the sample at u = 0 is 0/0: treat u = 0 separately."};
 const Diagnosis half_tent{"tent-not-stretched",
                           "each half of [0, 1) has to be stretched to [0, 1) before it is used for "
                           "its side of the tent."};
 const Diagnosis exponent_n{"power-one-too-low",
-                           "x^n integrates to x^(n + 1)/(n + 1): the root is the (n + 1)-th."};
+                           "x^n integrates to x^(n + 1)/(n + 1): take the (n + 1)-th root."};
 const Diagnosis not_normalised{"density-not-normalised", "the density does not integrate to 1."};
 const Diagnosis end_left_out{"end-outside-the-support",
                              "the ends of the support belong to it: the density is not 0 there."};
@@ -116,7 +116,7 @@ Params params_of(const Case& c) {
   return {.numbers = {{"family", static_cast<double>(c.family)}, {"p", c.p}, {"q", c.q}}};
 }
 
-/// Where the ends of a line are almost equal: each sample is NaN, or roughly right.
+/// True if each sample is NaN or roughly right, for a line whose ends are almost equal.
 bool lost_by_difference(const Case& c, const std::vector<double>& samples) {
   if (c.family != Family::linear || std::abs(c.q - c.p) > 1e-6 * c.p) return false;
   const std::vector<double> u = hard_numbers();

@@ -22,8 +22,8 @@ constexpr double pi = std::numbers::pi;
 const Diagnosis last_not_counted{"accepted-dart-not-counted",
                                  "the dart that is accepted counts as well."};
 const Diagnosis only_y_redrawn{"x-kept-after-rejection",
-                               "a rejected dart is gone, its x too: keeping x and drawing y again "
-                               "accepts every x in the end, and f no longer matters."};
+                               "a rejected dart is discarded, with its x: keeping x and drawing "
+                               "y again accepts every x eventually, and f no longer matters."};
 const Diagnosis same_number{"one-number-for-x-and-y",
                             "x and y come from one random number: the darts lie on a diagonal."};
 const Diagnosis y_first{"y-drawn-before-x", "the contract asks for x first, then y."};
@@ -33,11 +33,11 @@ const Diagnosis bound_short{"heights-below-the-bound",
                             "too few darts miss: y has to be uniform on [0, f_max), all of it."};
 const Diagnosis x_not_shifted{"interval-not-shifted", "x has to be uniform on [a, b)."};
 const Diagnosis height_for_x{"height-for-x",
-                             "the height of the dart is returned; its x is what is asked for."};
+                             "the height of the dart is returned instead of its x."};
 const Diagnosis above_accepted{"accepts-above-f",
                                "darts above f are kept and those below are thrown away."};
 const Diagnosis promise_unchecked{"broken-bound-unnoticed",
-                                  "f outside [0, f_max] flattens the density in silence: it has to "
+                                  "f outside [0, f_max] silently distorts the density: it has to "
                                   "be an error."};
 const Diagnosis endless{"never-gives-up", "a function that is 0 everywhere must not hang."};
 const Diagnosis bound_missing{"acceptance-without-bound", "the rectangle's area is (b - a) f_max."};
@@ -46,19 +46,18 @@ const Diagnosis inverted{"acceptance-inverted",
                          "the mean number of darts is given, the inverse of the share accepted."};
 const Diagnosis uniform_radius{
     "uniform-radius",
-    "the distance itself is uniform: the points crowd at the centre, for "
-    "an outer ring is longer than an inner one."};
+    "the distance itself is uniform: the points crowd at the centre, since an outer ring has "
+    "more area than an inner one of the same width."};
 const Diagnosis half_turn{"half-a-turn", "the angle runs over half a turn only."};
 const Diagnosis degrees{
     "degrees-for-radians",
-    "the angle is given in degrees: sine and cosine take radians, of which a turn "
-    "has 2 pi."};
+    "the angle is in degrees: sine and cosine take radians; a whole turn is 2 pi."};
 const Diagnosis without_pi{"angle-without-pi",
                            "the angle lacks its factor: a whole turn is 2 pi, and u_angle runs "
                            "to 1."};
 const Diagnosis sine_for_cosine{"sine-and-cosine-exchanged",
                                 "the angle runs from the y axis, the wrong way round: sine and "
-                                "cosine have changed places."};
+                                "cosine are exchanged."};
 const Diagnosis exchanged{"u-exchanged", "u_radius and u_angle are exchanged."};
 const Diagnosis quarter{"one-quadrant-only", "the darts cover one quarter of the square."};
 const Diagnosis square_kept{"corners-kept", "points of the square outside the disc are returned."};

@@ -21,25 +21,26 @@ using namespace lab05_tests;
 namespace {
 
 const Diagnosis zero_drawn{"weight-0-drawn",
-                           "a number of weight 0 is drawn: search for the first CDF entry above u, "
-                           "not for one that is at least u; and trailing zeros keep the last sum."};
+                           "a number of weight 0 is drawn: search for the first CDF entry above "
+                           "u, not for one that is at least u; and trailing zeros keep the last "
+                           "sum."};
 const Diagnosis edge_to_lower{"edge-goes-to-the-lower-number",
                               "a u that equals a CDF entry belongs to the next number: search for "
                               "the first entry above u, not for one that is at least u."};
 const Diagnosis next_number{
     "neighbouring-number",
-    "this belongs to the number next to it: number i has the share of [0, 1) "
-    "from the CDF's entry before its own up to its own."};
+    "this is the result for the number next to it: number i has the part of [0, 1) from the "
+    "CDF's previous entry to its own."};
 const Diagnosis float_cdf{"cdf-in-float",
-                          "sums in float drift by the million, and lose weights that are small "
-                          "beside them: add up in double."};
+                          "float sums drift over millions of terms, and lose weights that are "
+                          "much smaller than they are: add up in double."};
 const Diagnosis float_u{"u-in-float",
                         "u becomes a float: its steps of 6e-8 never find a share of 1e-9, and the "
                         "fraction has few digits left. Keep it double."};
 const Diagnosis fraction_of_one{"fraction-reaches-one",
                                 "both differences of (u - C_(i-1))/(C_i - C_(i-1)) are rounded, "
-                                "and now and then they are equal "
-                                "though u is below C_i: keep the fraction below 1."};
+                                "and may be equal although u is below C_i: keep the fraction "
+                                "below 1."};
 const Diagnosis not_stretched{"remainder-not-stretched",
                               "u minus the CDF entry before it still has to be divided by the "
                               "number's share."};
@@ -47,8 +48,8 @@ const Diagnosis cumulative{"cdf-for-probability",
                            "this is the CDF's entry; the probability is its distance from the one "
                            "before."};
 const Diagnosis sum_overflows{"sum-overflows",
-                              "weights that are finite may have a sum that is not: nothing divided "
-                              "by infinity is a probability. Look at the sum, too."};
+                              "finite weights may have an infinite sum, and dividing by it gives "
+                              "no probabilities: check the sum as well."};
 
 /// True if all numbers drawn are off by one, on the same side, where there is a neighbour.
 bool draws_next_number(const std::vector<double>& u, const Rows& rows,

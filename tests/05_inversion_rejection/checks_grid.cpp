@@ -18,19 +18,19 @@ using namespace lab05_tests;
 namespace {
 
 const Diagnosis transposed{"rows-and-columns-swapped",
-                           "weights[j width + i] is column i of row j; u_row and y go with j."};
+                           "weights[j width + i] is column i of row j; u_row and y belong to j."};
 const Diagnosis rows_only{"rows-drawn-uniformly",
                           "the row has to be drawn by the sums of the rows, not with equal "
                           "probability."};
 const Diagnosis columns_by_first{"one-column-table-for-all-rows",
-                                 "the column is drawn without a look at the row: each row has "
-                                 "column probabilities of its own."};
+                                 "the column is drawn independently of the row: each row has its "
+                                 "own column probabilities."};
 
 const Diagnosis columns_only{"columns-drawn-uniformly",
                              "the column has to be drawn by the weights in its row, not with equal "
                              "probability."};
 const Diagnosis x_for_y{"x-and-y-swapped",
-                        "x and y have changed places: x runs along the columns, y along the rows."};
+                        "x and y are exchanged: x runs along the columns, y along the rows."};
 
 /// The inverse of Lab 5.6, exactly as in its docstring.
 struct GridInverse {

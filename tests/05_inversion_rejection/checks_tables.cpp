@@ -19,8 +19,8 @@ using namespace lab05_tests;
 namespace {
 
 const Diagnosis at_the_edge{"samples-at-bin-edges",
-                            "all samples of a bin fall on its edge or centre: what is left of u "
-                            "places them within."};
+                            "all samples of a bin fall on its edge or centre: the remainder of u "
+                            "places them within the bin."};
 
 /// True if the samples lie in a neighbouring bin, all on the same side, where there is one.
 bool in_next_bin(const std::vector<double>& u, const std::vector<double>& found,

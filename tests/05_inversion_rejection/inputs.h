@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-// The inputs of lab 05's probes, which the checks use too.
+// The inputs of lab 5's probes, which the checks use too.
 
 namespace lab05_tests {
 

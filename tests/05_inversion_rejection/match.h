@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Comparisons of whole functions and of cell counts, for lab 05.
+// Comparisons of whole functions and of cell counts, for lab 5.
 
 namespace lab05_tests {
 

@@ -1,4 +1,4 @@
-// Probes of lab 05's exercises 5.1 to 5.6. They call the student's functions and return raw values;
+// Probes of lab 5's exercises 5.1 to 5.6. They call the student's functions and return raw values;
 // checks_*.cpp says what the values should be.
 
 #include "05_inversion_rejection/inputs.h"

@@ -1,4 +1,4 @@
-// Probes of lab 05's exercises 5.7 and 5.8.
+// Probes of lab 5's exercises 5.7 and 5.8.
 
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/refusal.h"

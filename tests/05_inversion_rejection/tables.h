@@ -15,24 +15,24 @@ namespace lab05_tests {
 
 inline const carlo::grader::Diagnosis spent{
     "u-used-twice",
-    "u has been spent on the choice: what is left of it is its place between the "
-    "two CDF entries, not u itself."};
+    "u was used for the choice: what remains is its relative position between the two CDF "
+    "entries, not u itself."};
 inline const carlo::grader::Diagnosis accepts_nonsense{
     "bad-weights-accepted",
-    "weights that are no probabilities have to be refused with "
-    "carlo::Error."};
+    "weights that cannot be probabilities have to be rejected with carlo::Error."};
 inline const carlo::grader::Diagnosis no_width{
     "probability-for-density",
     "this is the probability of a bin or cell; its density is the probability "
     "divided by its width or area."};
 inline const carlo::grader::Diagnosis slips{
     "slips-into-the-neighbour",
-    "rounding carries some x over the edge into a bin of density 0: place and "
-    "look up bins with the functions of bins.h."};
+    "rounding moves some x across the edge into a bin of density 0: use the functions of bins.h "
+    "to place x and to look up bins."};
 
 inline const carlo::grader::Diagnosis next_bin{
     "neighbouring-bin",
-    "this belongs to the bin next to it: bin i, counted from 0, reaches from i/n to (i + 1)/n."};
+    "this is the result for the bin next to it: bin i, counted from 0, extends from i/n to (i + "
+    "1)/n."};
 
 inline double number(std::size_t i) {
   return static_cast<double>(i);

@@ -16,19 +16,21 @@ using namespace lab06_tests;
 namespace {
 
 const Diagnosis bound_missing{"divided-by-g-alone",
-                              "g is no density: a dart is kept at x with density "
-                              "g(x)/((b - a) g_max), and that is what f is divided by."};
+                              "g is not a density: a dart is kept at x with density g(x)/((b - "
+                              "a) g_max); divide f by that."};
 const Diagnosis lost_left_out{"lost-darts-left-out",
-                              "lost darts contribute 0 and stay in the count: without them the "
-                              "chance of being kept is missing."};
+                              "lost darts contribute 0 and count: without them the probability "
+                              "of being kept is missing."};
 const Diagnosis not_weighted{"kept-darts-not-weighted",
-                             "f over the density of the kept points, not f itself."};
+                             "divide f by the density of the kept points."};
 const Diagnosis above_kept{"keeps-darts-above-g", "darts below g are kept, not those above."};
 const Diagnosis y_first{"y-drawn-before-x", "the contract asks for x first, then y."};
-const Diagnosis asked_everywhere{"f-asked-at-lost-darts", "f is asked only where a dart is kept."};
+const Diagnosis asked_everywhere{"f-asked-at-lost-darts",
+                                 "f must be evaluated only where a dart "
+                                 "is kept."};
 const Diagnosis promise_unchecked{"broken-bound-unnoticed",
-                                  "g outside [0, g_max] cuts the density in silence: it has to be "
-                                  "an error."};
+                                  "g outside [0, g_max] silently truncates the density: it has "
+                                  "to be an error."};
 
 Params profile_params(Profile profile, std::int64_t n) {
   return {.n = n, .numbers = {{"profile", static_cast<double>(profile)}}};

@@ -19,7 +19,8 @@ namespace {
 const Unsaid unsaid{"kind", "list", "weighting"};
 
 const Diagnosis not_divided{"not-divided-by-the-pdf",
-                            "f(x) alone: a point drawn more often has to count less, by 1/p(x)."};
+                            "f(x) is not divided by p(x): a point drawn more often has to count "
+                            "less."};
 const Diagnosis weights_normalised{
     "weights-normalised",
     "the weights 1/p(x) are divided by their own sum or mean: contributions then depend on one "
@@ -32,16 +33,17 @@ const Diagnosis bad_pdf_accepted{"bad-pdf-accepted",
 const Diagnosis nan_hidden{"nan-of-f-hidden",
                            "an f that is NaN has to stay visible: a hidden NaN is a bias."};
 const Diagnosis tiny_pdf{"small-pdf-taken-for-zero",
-                         "only a pdf of 0 contributes 0; a small one is a pdf as any other."};
+                         "only a pdf of 0 contributes 0; a small one is a valid pdf."};
 const Diagnosis not_sampled{"points-not-drawn-from-p",
-                            "the points have to come from p.sample(u), not be u itself."};
+                            "the points have to be p.sample(u), not u itself."};
 const Diagnosis more_numbers{"more-than-one-number-a-point",
-                             "one rng.uniform() a contribution: the point where f is asked and the "
-                             "one where p is asked are the same."};
+                             "draw one rng.uniform() per contribution: f and p are evaluated at "
+                             "the same point."};
 const Diagnosis by_n{"variance-divided-by-n",
-                     "the mean was taken from the same numbers: divide by N - 1."};
+                     "the mean comes from the same numbers: divide by N - 1."};
 const Diagnosis variance_of_mean{"variance-of-the-mean",
-                                 "the variance of one contribution is asked for, not of the mean."};
+                                 "the variance of one contribution is required, not that of the "
+                                 "mean."};
 const Diagnosis error_of_one{
     "standard-error-without-n",
     "the standard error is that of the mean: the variance over N, then the "
@@ -49,14 +51,15 @@ const Diagnosis error_of_one{
 const Diagnosis no_root{"standard-error-without-root",
                         "the standard error is the root of the mean's variance."};
 const Diagnosis cancelled{"sum-of-squares",
-                          "a mean square minus a squared mean loses all digits where the mean is "
+                          "a mean square minus a squared mean loses all digits if the mean is "
                           "large."};
 const Diagnosis one_value{"single-value-has-no-spread",
                           "a single value has variance and standard error 0, not 0/0."};
 const Diagnosis float_sum{"float-accumulation",
                           "the sum is kept in a float somewhere: 7 digits are not enough."};
 const Diagnosis by_deviation{"efficiency-by-standard-deviation",
-                             "time buys variance, not standard deviation: 1 / (variance x time)."};
+                             "the efficiency uses the variance, not the standard deviation: 1 / "
+                             "(variance x time)."};
 const Diagnosis no_time{"efficiency-without-time", "the time of a sample is missing."};
 
 std::vector<double> contributions(double k, double n, std::int64_t count) {

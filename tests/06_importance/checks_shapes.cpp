@@ -25,9 +25,9 @@ const Diagnosis not_normalised{"pdf-not-normalised",
                                "the pdf does not integrate to 1: divide by the integral of "
                                "1/(height^2 + t^2) over [a, b]."};
 const Diagnosis not_zero_outside{"pdf-not-zero-outside", "outside [a, b] the pdf is 0."};
-const Diagnosis leaves_interval{"sample-leaves-the-interval",
-                                "rounding carries the last sample out of [a, b], where the pdf is "
-                                "0."};
+const Diagnosis leaves_interval{
+    "sample-leaves-the-interval",
+    "rounding moves the last sample out of [a, b], where the pdf is 0."};
 const Diagnosis falling_samples{"samples-run-backwards", "sample(u) has to grow with u."};
 
 double angle(const Light& light) {
@@ -119,8 +119,8 @@ void judge_pdf(std::size_t index) {
                   1e-10, 0, others));
 }
 
-const Diagnosis signed_values{"sign-not-dropped",
-                              "sizes count: a large negative contribution is large as well."};
+const Diagnosis signed_values{
+    "sign-not-dropped", "use absolute values: a large negative contribution is large as well."};
 const Diagnosis share_of_mean{"largest-over-mean",
                               "the largest value is compared with the sum, not with the mean."};
 const Diagnosis zeros_divided{"zero-by-zero", "where all values are 0 the share is 0."};
@@ -129,7 +129,7 @@ const Diagnosis reference_off{"reference-is-the-k-th-largest",
                               "the k largest are m_0 to m_(k-1)."};
 const Diagnosis inverse_index{"index-upside-down",
                               "the mean of the logarithms is 1/a; the index is its inverse."};
-const Diagnosis not_sorted{"list-not-sorted", "the values have to be brought into falling order."};
+const Diagnosis not_sorted{"list-not-sorted", "the values have to be sorted in descending order."};
 const Diagnosis no_tail{"no-tail-is-infinite",
                         "where the sizes do not differ, or are 0 at m_k, the index is infinite."};
 const Diagnosis decimal_logs{"logarithm-to-base-10", "the index needs natural logarithms."};
@@ -185,12 +185,12 @@ void judge_index(int k) {
 }
 
 const Diagnosis number_reused{"same-number-for-both-decisions",
-                              "u chose one of the two and is spent: what is left of it has to be "
-                              "stretched to [0, 1) again."};
+                              "u was used to choose one of the two: its remainder has to be "
+                              "rescaled to [0, 1)."};
 const Diagnosis roles_exchanged{"share-is-the-other-ones",
                                 "p is drawn with probability share, q with 1 - share."};
 const Diagnosis not_restarted{"second-part-not-shifted",
-                              "q is handed (u - share)/(1 - share): its part begins at share."};
+                              "q must get (u - share)/(1 - share): its part begins at share."};
 const Diagnosis reaches_one{
     "number-of-one", "a number is rounded to 1: below_one() of densities.h is there for it."};
 const Diagnosis pdf_unweighted{"mixture-pdf-unweighted",
@@ -199,12 +199,11 @@ const Diagnosis pdf_exchanged{"mixture-pdf-exchanged",
                               "in the pdf share belongs to p and 1 - share to q."};
 const Diagnosis pdf_of_one{
     "mixture-pdf-of-one-part",
-    "a point may have come from either of the two: both belong into the pdf, "
-    "wherever the point lies."};
+    "a point may have come from either of the two: the pdf includes both, wherever the point lies."};
 
 const Diagnosis pdf_maximum{"mixture-pdf-maximum",
-                            "this is the larger of the two: a point may have come from either, and "
-                            "chances of either add up."};
+                            "this is the larger of the two: a point may have come from either, "
+                            "and their probabilities add up."};
 
 void judge_mixture_samples(std::size_t index, const Rows& rows) {
   const double s = shares().at(index);
@@ -260,7 +259,7 @@ void judge_mixture_pdf(std::size_t index, const Rows& rows) {
     }
   };
   of_both(pdf_maximum, [](double, double p, double q) { return std::max(p, q); });
-  // As if share were a position on the line, not a probability.
+  // The pdf if share were a position on the line, not a probability.
   of_both(pdf_of_one, [&](double x, double p, double q) { return x < s ? p : q; });
   if (s != 0.5) others.push_back({mixed(1 - s, s), pdf_exchanged});
   judge(all_match(fmt::format("the pdf for share {:g}", s), labels("x", at), measured,

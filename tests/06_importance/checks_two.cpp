@@ -23,7 +23,7 @@ const Diagnosis divided_by_all{"divided-by-all-samples",
                                "each technique is divided by its own number of samples, not by the "
                                "number of all."};
 const Diagnosis averaged{"techniques-averaged",
-                         "the weights have split f between the techniques already: add the two "
+                         "the weights already split f between the techniques: add the two "
                          "results, do not average them."};
 const Diagnosis not_weighted_two{"heuristic-not-used",
                                  "without its weight every sample counts in full and f is counted "
@@ -38,20 +38,19 @@ const Diagnosis own_pdf_twice{
     "the heuristic compares the sample's own density with itself: other's "
     "effort holds the other technique's pdf at the same point."};
 const Diagnosis counts_not_given{"heuristic-without-numbers",
-                                 "the heuristic has to be given the numbers of samples."};
+                                 "the heuristic takes the numbers of samples."};
 const Diagnosis order{"second-before-first", "first's samples are drawn before second's."};
 const Diagnosis no_samples{"zero-samples-divided", "a technique with 0 samples contributes 0."};
 const Diagnosis not_by_chance{"choice-not-divided-by",
                               "the choice of the technique is part of the density: divide by its "
                               "probability."};
-const Diagnosis chance_not_given{
-    "heuristic-without-chances",
-    "the heuristic has to be given the chances as numbers of samples."};
+const Diagnosis chance_not_given{"heuristic-without-chances",
+                                 "the heuristic takes the probabilities as numbers of samples."};
 const Diagnosis chances_exchanged{"chances-exchanged",
-                                  "first has the chance share, second 1 - share."};
+                                  "first has probability share, second 1 - share."};
 const Diagnosis reused{"same-number-for-both-decisions",
-                       "u chose the technique and is spent: what is left of it has to be stretched "
-                       "to [0, 1) again."};
+                       "u was used to choose the technique: its remainder has to be rescaled to "
+                       "[0, 1)."};
 const Diagnosis two_reach_one{
     "number-of-one", "a number is rounded to 1: below_one() of densities.h is there for it."};
 const Diagnosis vanishing_pdf{"vanishing-pdf",

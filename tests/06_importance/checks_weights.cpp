@@ -15,14 +15,14 @@ using namespace lab06_tests;
 namespace {
 
 const Diagnosis counts_ignored{"numbers-of-samples-ignored",
-                               "what counts is samples x pdf, not the pdf alone."};
+                               "the weight depends on samples x pdf, not on the pdf alone."};
 const Diagnosis not_squared{"power-without-squares", "the power heuristic squares the products."};
 const Diagnosis pdf_squared{
     "only-the-pdf-squared",
     "the power heuristic squares the products, the numbers of samples too."};
 const Diagnosis balance_squared{"balance-with-squares",
-                                "the balance heuristic takes the products as they are."};
-const Diagnosis weight_of_other{"weight-of-the-other", "own's product belongs above the fraction."};
+                                "the balance heuristic does not square the products."};
+const Diagnosis weight_of_other{"weight-of-the-other", "own's product is the numerator."};
 const Diagnosis weight_zero_by_zero{"zero-by-zero",
                                     "where own's product is 0 the weight is 0, not 0/0."};
 const Diagnosis overflow{"overflow",

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-// The inputs of lab 06's probes, which the checks use too.
+// The inputs of lab 6's probes, which the checks use too.
 
 namespace lab06_tests {
 

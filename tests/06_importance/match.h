@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Comparisons of whole tables of values, for lab 06.
+// Comparisons of whole tables of values, for lab 6.
 
 namespace lab06_tests {
 

@@ -1,4 +1,4 @@
-// Probes of lab 06's exercises 6.1 to 6.4.
+// Probes of lab 6's exercises 6.1 to 6.4.
 
 #include "06_importance/inputs.h"
 #include "grader/worker/probe.h"

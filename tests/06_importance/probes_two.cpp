@@ -1,4 +1,4 @@
-// Probes of lab 06's exercises 6.5 to 6.7.
+// Probes of lab 6's exercises 6.5 to 6.7.
 
 #include "06_importance/inputs.h"
 #include "06_importance/steps.h"

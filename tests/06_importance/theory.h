@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-// Exact moments of contributions, for lab 06.
+// Exact moments of contributions, for lab 6.
 
 namespace lab06_tests {
 

@@ -14,8 +14,8 @@ const Diagnosis breaks_at_minus_z{
     "the axes are no longer at right angles or of length 1 near n = -z: "
     "1 + n.z is nearly 0 there, and digits are lost."};
 const Diagnosis breaks_near_axis{"frame-breaks-near-an-axis",
-                                 "for a few normals the axes fail: a cross product of two nearly "
-                                 "parallel vectors has no length left."};
+                                 "for a few normals the axes fail: the cross product of two "
+                                 "nearly parallel vectors loses its length."};
 const Diagnosis not_normalised{"axes-not-normalised",
                                "a cross product of vectors that are not at right angles is shorter "
                                "than 1: normalise it."};
@@ -23,8 +23,7 @@ const Diagnosis left_handed{"left-handed-frame",
                             "s x t is -n: exchange the factors of the cross product."};
 const Diagnosis transposed{
     "to-world-and-to-local-exchanged",
-    "one direction takes the sum along the axes, the other dot products with "
-    "them: they are exchanged."};
+    "one direction is a sum along the axes, the other dot products with them: they are exchanged."};
 
 constexpr double tolerance = 1e-6;
 

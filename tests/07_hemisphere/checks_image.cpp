@@ -24,22 +24,22 @@ const Diagnosis at_one{"place-at-one",
                        "a tiny negative azimuth plus a whole turn rounds to one."};
 const Diagnosis near_poles{
     "digits-lost-at-poles",
-    "only next to the poles it is wrong: there w.y has rounded to 1 and knows the angle no longer, "
-    "but w.x and w.z do."};
+    "it is wrong only next to the poles: there w.y rounds to 1 and no longer determines the "
+    "angle, but w.x and w.z do."};
 const Diagnosis neighbours_density{
     "density-of-the-neighbour",
     "at the edge of a texel wi rounds into its neighbour, which may be black: the sample's density "
     "is that of the texel drawn."};
 const Diagnosis angle_in_row{
     "angle-uniform-in-row",
-    "within a row the angle to the pole is uniform: directions are, when w.y is."};
+    "within a row the angle to the pole is uniform; for uniform directions w.y has to be."};
 const Diagnosis heights_in_float{
     "heights-in-float",
-    "next to a pole only a few heights occur: there a float's cosine is 1 but for its last digits, "
-    "and 1 - cos^2 has none. Compute in double."};
+    "next to a pole only a few heights occur: there a float cosine is 1 except for its last "
+    "digits, and 1 - cos^2 loses them. Compute in double."};
 const Diagnosis fixed_place{
     "one-place-a-texel",
-    "all directions of a texel are the same: where within it they lie has to be drawn as well."};
+    "all directions of a texel are the same: the position within the texel has to be drawn as well."};
 const Diagnosis float_u{"u-in-float",
                         "u becomes a float: its steps of 6e-8 never find a texel that has 1e-9 of "
                         "the power. Keep it double."};

@@ -22,45 +22,44 @@ const Diagnosis missing_pdf{
     "the mean of L cos(theta) is not divided by the density of the directions."};
 const Diagnosis cosine_twice{
     "cosine-counted-twice",
-    "the density of cosine-weighted directions holds the cosine already: the "
-    "two cancel."};
+    "the density of cosine-weighted directions already includes the cosine: the two cancel."};
 const Diagnosis not_counted{
     "below-horizon-not-counted",
     "directions below the horizon are left out of the count; they contribute "
     "0, but they were drawn."};
 const Diagnosis absolute_cosine{
-    "below-horizon-kept", "directions below the horizon contribute; nothing comes from there."};
+    "below-horizon-kept", "directions below the horizon contribute; no light comes from there."};
 const Diagnosis asks_below{"radiance-asked-below-horizon",
-                           "radiance is asked for in directions below the horizon."};
+                           "radiance() is called for directions below the horizon."};
 const Diagnosis missing_pi{"missing-one-over-pi",
                            "ambient occlusion is 1 under an open sky, whose irradiance is pi."};
 const Diagnosis by_two_pi{"one-over-two-pi",
                           "the cosine integrates to pi over the hemisphere, not to 2 pi."};
 const Diagnosis other_technique{
-    "technique-not-used", "the variance is that of another technique than the one asked for."};
+    "technique-not-used", "the variance is that of another technique than the requested one."};
 const Diagnosis reused{"reused-number", "fewer than two numbers are drawn for a direction."};
 const Diagnosis local_not_world{"local-direction-not-turned",
-                                "directions have to be turned from the local frame to the world's "
-                                "before radiance is asked for."};
+                                "directions have to be transformed from the local frame to the "
+                                "world before radiance() is called."};
 const Diagnosis radiance_not_used{
     "radiance-not-used",
-    "this is as if the same light came from everywhere: each direction is to be multiplied by the "
-    "radiance that comes from there."};
+    "this is as if the same light came from everywhere: multiply each direction's contribution "
+    "by the radiance from there."};
 const Diagnosis visible_not_used{
     "visible-not-used",
-    "this is as if the whole sky were seen: a direction in which something stands brings nothing."};
+    "this is as if the whole sky were visible: a blocked direction contributes nothing."};
 const Diagnosis density_zero{
     "divided-by-density-zero",
-    "a direction of the lobe whose density is 0 is divided by it: turning may round a direction on "
-    "the lobe's outermost edge out of the lobe. Its weight is 0."};
+    "a direction of the lobe whose density is 0 is divided by it: rotating a direction at the "
+    "lobe's outermost edge may round it out of the lobe. Its weight is 0."};
 const Diagnosis float_sum{"sum-in-float",
                           "the sum is a float: once it is large, every summand is rounded to the "
                           "spacing of floats there. Keep the sum in double."};
 const Diagnosis only_the_lobe{
     "only-the-lobe-fails",
-    "the other techniques are right under the same light, the lobe is not: is wo brought into the "
-    "frame that the lobe is drawn in, does the lobe surround the mirror direction of wo, and is "
-    "its density that of Lab 7.6 for the same wo?"};
+    "the other techniques are right under the same light, the lobe is not: is wo transformed "
+    "into the frame in which the lobe is drawn, does the lobe surround the mirror direction of "
+    "wo, and is its density that of Lab 7.6 for the same wo?"};
 
 constexpr Vec3 tilted{0.48f, -0.6f, -0.64f};
 

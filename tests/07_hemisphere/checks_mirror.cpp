@@ -3,20 +3,51 @@
 // cosine above it, which is (n + 1)/(n + 2) times the albedo of a Phong surface.
 
 #include "07_hemisphere/subject.h"
-#include "07_hemisphere/theory.h"
+
+#include <cmath>
+#include <numbers>
 
 using namespace carlo::grader;
 using namespace lab07_tests;
 
 namespace {
 
-const Diagnosis about_wo{
-    "lobe-about-wo", "the lobe surrounds wo itself: light would be sent back where it came from."};
+/// w_0 = pi/2, w_1 = 1, w_(j+2) = w_j (j + 1)/(j + 2): the integral of sin^j over [0, pi/2].
+double wallis(int j) {
+  double w = j % 2 == 0 ? std::numbers::pi / 2 : 1;
+  for (int i = j % 2; i + 2 <= j; i += 2)
+    w *= (i + 1.0) / (i + 2.0);
+  return w;
+}
+
+/// The fraction of the lobe's directions below the horizon.
+double below_horizon(int n, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  double sum = 0;
+  for (int j = n % 2 == 0 ? 1 : 0; j <= n - 1; j += 2)
+    sum += std::pow(s, j) * wallis(j);
+  return ((n % 2 == 0 ? theta : std::numbers::pi / 2) - c * sum) / std::numbers::pi;
+}
+
+/// The integral of (n + 2)/(2 pi) cos^n(alpha) cos(theta_i) over the hemisphere: the reflectance of
+/// a Phong surface of k_s = 1 under a uniform sky.
+double lobe_albedo(int n, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  double sum = 0;
+  for (int j = n % 2; j <= n; j += 2)
+    sum += std::pow(s, j) * wallis(j);
+  const double half = n % 2 == 0 ? c / 2 : c * (1 - theta / std::numbers::pi);
+  return half + c * c / std::numbers::pi * sum + std::pow(s, n + 2) * wallis(n) / std::numbers::pi;
+}
+
+const Diagnosis about_wo{"lobe-about-wo",
+                         "the lobe surrounds wo itself: light would be reflected back to where it "
+                         "came from."};
 const Diagnosis about_normal{"lobe-about-the-normal",
                              "the lobe surrounds the normal, not the mirror direction."};
 const Diagnosis below_surface{"mirror-direction-below",
-                              "the mirror direction points into the surface: both wo and it point "
-                              "away."};
+                              "the mirror direction points into the surface: it must point away, "
+                              "like wo."};
 const Diagnosis below_changed{
     "below-horizon-changed",
     "the lobe's directions below the horizon are missing: flipped or drawn "

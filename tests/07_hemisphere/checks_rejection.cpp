@@ -29,8 +29,7 @@ const Diagnosis below{"below-horizon-kept",
                       "directions below the horizon are returned: flip them."};
 const Diagnosis thrown_away{
     "thrown-away-not-flipped",
-    "twice as many darts as needed: a direction below the horizon is as good "
-    "as its opposite."};
+    "twice as many darts as needed: use the opposite of a direction below the horizon."};
 const Diagnosis accepted_not_counted{"accepted-dart-not-counted",
                                      "the dart that is accepted counts as well."};
 const Diagnosis disc{"a-disc-not-a-ball", "darts are rejected by two of their coordinates only."};
@@ -39,7 +38,7 @@ const Diagnosis order_of_numbers{
     "x, y, z are drawn in this order, a statement each: the order in which a function's "
     "arguments are evaluated is the compiler's choice."};
 const Diagnosis dart_reused{"reused-number",
-                            "fewer than three numbers a dart are drawn: coordinates share one."};
+                            "fewer than three numbers are drawn per dart: coordinates share one."};
 
 constexpr std::size_t n = 200'000;
 

@@ -46,12 +46,12 @@ const Diagnosis root_n{
     "the CDF of the angle is 1 - cos^(n+1): the root is the (n+1)-th, not the n-th."};
 const Diagnosis root_n_plus_2{
     "root-of-order-n-plus-2",
-    "n + 2 belongs to the integral with another cosine; per solid angle the "
-    "CDF is 1 - cos^(n+1)."};
+    "n + 2 belongs to the integral with an additional cosine; per solid angle the CDF is 1 - "
+    "cos^(n+1)."};
 const Diagnosis few_angles{
     "sine-by-subtraction",
-    "only a few different angles occur: 1 - cos^2 of a cosine that has rounded "
-    "to 1 has no digits left. expm1 has."};
+    "only a few different angles occur: 1 - cos^2 loses all digits if the cosine rounds to 1. "
+    "expm1 keeps them."};
 const Diagnosis lobe_n_plus_2{
     "n-plus-two",
     "(n + 2)/(2 pi) normalises the lobe times a cosine, as in the BRDF; per solid "

@@ -80,8 +80,8 @@ void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero) 
 namespace {
 
 const Diagnosis degrees_given{"degrees-for-radians",
-                              "the azimuth goes to std::cos and std::sin in degrees: they take "
-                              "radians, and a whole turn is 2 pi. So it turns 57 times."};
+                              "the azimuth is passed to std::cos and std::sin in degrees: they "
+                              "take radians; a whole turn is 2 pi. So it winds round 57 times."};
 const Diagnosis neighbours_parted{"neighbours-parted",
                                   "nearby u give directions far apart: stratified u will not give "
                                   "stratified directions."};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-// The densities of lab 07 are all powers of a cosine.
+// The densities of lab 7 are all powers of a cosine.
 
 namespace lab07_tests {
 

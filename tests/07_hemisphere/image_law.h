@@ -83,29 +83,30 @@ inline const Diagnosis per_area{
     "this is the density per area of the image: divide it by the solid angle of that area."};
 inline const Diagnosis no_sine{
     "jacobian-without-sine",
-    "the image's area is divided out as 2 pi^2, as if all rows were as long as the middle one."};
+    "the density is divided by 2 pi^2, as if all rows were as long as the middle one."};
 inline const Diagnosis sine_of_direction{
     "sine-of-the-direction",
-    "the density is divided by the sine of the direction itself: that is the law of angles that are "
-    "uniform within a row. Directions that are uniform in a texel have one density in all of it: "
-    "chance over solid angle."};
+    "the density is divided by the sine of the direction itself: that is the law of angles that "
+    "are uniform within a row. Directions that are uniform in a texel have the same density "
+    "everywhere in it: probability over solid angle."};
 inline const Diagnosis sine_at_pole{
     "division-by-sine-zero",
     "at the poles something is divided by sin(theta), which is 0 there: a texel's solid angle never "
     "is."};
 inline const Diagnosis whole_row{
     "solid-angle-of-the-row",
-    "a texel's chance is divided by the solid angle of its whole row: the row has `width` texels."};
+    "a texel's probability is divided by the solid angle of its whole row, which has `width` "
+    "texels."};
 inline const Diagnosis not_one{
     "density-not-normalised",
-    "the densities have the right proportions, but are all off by one factor: chance over solid "
-    "angle, and the solid angles of all texels add up to 4 pi."};
+    "the densities have the right proportions, but are all off by one factor: they are "
+    "probability over solid angle, and the solid angles of all texels add up to 4 pi."};
 inline const Diagnosis upside_down{"upside-down", "the top of the image is +y, not -y."};
 inline const Diagnosis mirrored{
-    "mirrored", "the azimuth runs the other way round: from -z, where x = 0, by way of +x."};
+    "mirrored", "the azimuth runs in the wrong direction: it goes from -z, where x = 0, via +x."};
 inline const Diagnosis turned{
     "azimuth-from-elsewhere",
-    "the image is turned about y: the azimuth 0 is at -z, and a quarter of a turn on is +x."};
+    "the image is rotated about y: the azimuth is 0 at -z and a quarter turn at +x."};
 inline const Diagnosis other_up{"z-is-up", "the image's poles are +y and -y, not +z and -z."};
 inline const Diagnosis half_sphere{
     "half-a-sphere", "the image covers the whole sphere: the angle runs from 0 to pi."};
@@ -252,8 +253,8 @@ inline Verdict image_density_is(const std::string& what, const SkyImage& image,
   return verdict;
 }
 
-/// Of n directions that fell into texels with these shares of the power; infinite if more than a
-/// few fell where none can.
+/// Chi-square of the texels' counts of n directions, given their shares of the power; infinite if
+/// more than a few directions fell where none can.
 inline double chi_square(const std::vector<double>& counts, const std::vector<double>& shares,
                          double n) {
   double statistic = 0;

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-// What the surfaces of Lab 7.7 see: radiance 1 or 0 by direction, with closed forms for the
-// irradiance.
+// The lights of Lab 7.7: radiance 1 or 0 by direction, with closed forms for the irradiance.
 
 namespace lab07_tests {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-// The inputs of lab 07's exercises, for the probes (floats, as students get them) and for the
+// The inputs of lab 7's exercises, for the probes (floats, as students get them) and for the
 // checks (the same floats, in double).
 
 namespace lab07_tests {

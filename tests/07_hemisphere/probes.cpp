@@ -1,4 +1,4 @@
-// Probes of lab 07's frames and samplers: 7.1 to 7.6.
+// Probes of lab 7's frames and samplers: 7.1 to 7.6.
 
 #include "07_hemisphere/places.h"
 #include "grader/protocol/next_words.h"

@@ -87,8 +87,8 @@ inline const Diagnosis below_kept{"below-horizon-kept", "there are directions be
 
 inline const Diagnosis near_horizon{
     "no-density-near-horizon",
-    "near the horizon x^2 + y^2 rounds to 1 or more, and 1 minus it to 0 or less, which has no "
-    "logarithm: there w.z is what knows the angle."};
+    "near the horizon x^2 + y^2 rounds to 1 or more, and 1 minus it to 0 or less, whose "
+    "logarithm is undefined: there w.z determines the angle."};
 
 /// Chi-square of directions; reports what wrong ones look like.
 inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>& world,
@@ -176,8 +176,8 @@ inline Verdict density_is(const std::string& what, const Subject& subject,
 
 inline const Diagnosis cosine_rounded{
     "cosine-has-rounded",
-    "the n-th power of a float cosine: a step of 6e-8 in the cosine is a "
-    "factor e^0.6 for n = 1e7. w.x and w.y know the angle."};
+    "the n-th power of a float cosine: a step of 6e-8 in the cosine is a factor e^0.6 for n = "
+    "1e7. Compute the angle from w.x and w.y."};
 
 /// density_is() across a narrow lobe, where cosines round to 1.
 inline Verdict narrow_density_is(const Subject& subject, const std::vector<Double3>& places,

@@ -26,8 +26,8 @@ const Diagnosis diagonal{"one-number-for-both-coordinates",
 const Diagnosis not_averaged{"sum-not-averaged",
                              "the mean is the sum over the number of rays, strata x strata."};
 const Diagnosis misses_pixel{"rays-miss-the-pixel",
-                             "rays go through other pixels: x and y are added to the place in the "
-                             "pixel, then divided by width and height."};
+                             "rays go through other pixels: x and y are added to the position "
+                             "within the pixel, then divided by width and height."};
 const Diagnosis upside_down{"pixels-upside-down",
                             "y counts from the top, and so does the film's second coordinate."};
 

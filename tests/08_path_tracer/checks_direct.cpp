@@ -16,72 +16,72 @@ namespace {
 const Diagnosis no_cos_surface{"cosine-at-the-surface-missing",
                                "the cosine at the surface is missing."};
 const Diagnosis no_cos_light{"cosine-at-the-light-missing",
-                             "the cosine at the light is missing: a tilted piece of the light "
-                             "covers less of the sky."};
+                             "the cosine at the light is missing: a tilted part of the light "
+                             "covers a smaller solid angle."};
 const Diagnosis no_distance{"squared-distance-missing",
                             "the division by the squared distance is missing."};
 const Diagnosis distance_once{"distance-not-squared", "the distance has to be squared."};
 const Diagnosis no_area{"light-area-missing",
                         "the division by the point's density, 1/area, is missing."};
 const Diagnosis area_divided{"light-area-divided-by",
-                             "this is divided by the light's area: its points have the density "
+                             "the value is divided by the light's area: its points have density "
                              "1/area, and dividing by that multiplies by the area."};
 const Diagnosis by_density{"multiplied-by-the-density",
-                           "a point's density is multiplied by. What is drawn often has to count "
-                           "less: divide by it."};
+                           "the value is multiplied by the point's density: divide by it."};
 const Diagnosis pi_too_many{"pi-too-many",
-                            "the value is pi times too small: f holds the 1/pi of a diffuse "
-                            "surface already, and the points of a light have no pi at all."};
+                            "the value is pi times too small: f already includes the 1/pi of a "
+                            "diffuse surface, and the density of a light's points has no pi."};
 const Diagnosis pi_times{"one-over-pi-missing",
                          "the value is pi times too large: the 1/pi of a diffuse surface is "
-                         "missing. f(wi) holds it."};
+                         "missing. f(wi) includes it."};
 const Diagnosis uniform_density{"uniform-density",
-                                "directions are cosine-weighted, their density is not that of "
-                                "uniform ones, 1/(2 pi)."};
+                                "directions are cosine-weighted: their density is not 1/(2 pi), "
+                                "that of uniform ones."};
 const Diagnosis in_its_own_way{
     "light-in-its-own-way",
-    "light gets lost at random: the shadow ray meets the light itself, and rounding decides "
-    "whether that seems nearer than the light's point. world.sees() leaves room for it."};
+    "light is lost at random: the shadow ray hits the light itself, and rounding decides whether "
+    "the hit seems nearer than the light's point. world.sees() allows for that."};
 const Diagnosis not_weighted{"light-choice-not-weighted",
-                             "one of several lights was picked: divide by the probability of it, "
-                             "its chance()."};
+                             "one of several lights was picked: divide by its probability, "
+                             "chance()."};
 const Diagnosis always_the_same{"always-the-same-light",
-                                "it is always the same light: with the first random number each of "
-                                "them is chosen equally often."};
+                                "the same light is chosen every time: the first random number "
+                                "must choose each of them equally often."};
 const Diagnosis other_chances{"lights-by-other-chances",
-                              "lights are chosen by other chances than world.choose() does."};
+                              "lights are not chosen with the probabilities of world.choose()."};
 const Diagnosis weak_unasked{
     "weak-light-never-asked",
-    "a near light is never asked beside a far sun: by power alone its chance is one in 2e9, and the "
-    "error bar knows nothing of it. world.choose() leaves every light a chance."};
+    "a near light is never sampled beside a far sun: by power alone its probability is one in "
+    "2e9, and the error bar does not show it. world.choose() samples every light often enough."};
 const Diagnosis all_lights{
     "all-lights-asked",
-    "one estimate brings light of both light sources: choose one, and trace one "
-    "shadow ray."};
+    "one estimate includes light of both light sources: choose one, and trace one shadow ray."};
 const Diagnosis with_sky{"environment-counted",
-                         "the environment is no light: here only what surfaces emit counts."};
+                         "the environment is not a light here: only emission of surfaces counts."};
 const Diagnosis with_own_emission{"own-emission-counted",
-                                  "what the surface itself emits is no reflection of light."};
+                                  "the surface's own emission is not reflected light."};
 const Diagnosis always_dark{
     "always-dark",
-    "no light arrives at all. The light itself is not in the way to its point: world.sees() asks "
-    "for what lies between. And both cosines are above 0: wi points away from the surface, and "
+    "no light arrives at all. The light does not block its own point: world.sees() tests only "
+    "what lies between. And both cosines are above 0: wi points away from the surface, and "
     "against the light's normal."};
 const Diagnosis wrong_side{"wrong-side-of-the-light",
-                           "a light emits on the side of its normal alone."};
-const Diagnosis no_shadow{"no-shadow-ray", "light comes through a screen."};
+                           "a light emits only on the side of its normal."};
+const Diagnosis no_shadow{"no-shadow-ray",
+                          "light passes through a screen: the shadow ray is "
+                          "missing."};
 const Diagnosis hits_itself{"ray-meets-its-own-surface",
-                            "light gets lost: does the ray start on the surface itself? It meets "
-                            "that again; world.leave() starts it beside."};
+                            "light is lost: does the ray start on the surface itself? It hits "
+                            "the surface again; world.leave() offsets its origin."};
 const Diagnosis missing_pi{"pi-missing",
                            "the value is pi times too small: the density of the direction is "
                            "cos/pi."};
 const Diagnosis twice_the_cosine{"cosine-twice",
-                                 "the cosine is the integrand's and the density's, and cancels: "
-                                 "one is left over."};
+                                 "the cosines of the integrand and of the density cancel: there "
+                                 "is one too many."};
 const Diagnosis pointing_in{"direction-points-inwards",
-                            "f is asked for directions below the horizon: wi points away from the "
-                            "surface, to where the light comes from."};
+                            "f is called for directions below the horizon: wi points away from "
+                            "the surface, to where the light comes from."};
 const Diagnosis channels{"channels-mixed", "the three channels have to be kept apart."};
 
 struct LightCase {

@@ -13,9 +13,11 @@ using namespace lab08_tests;
 namespace {
 
 const Diagnosis eta_inverted{"eta-inverted",
-                             "the index ratio is inverted: eta is wo's side over the one beyond."};
+                             "the index ratio is inverted: eta is the index on wo's side over "
+                             "the one on the other side."};
 const Diagnosis one_polarisation{"one-polarisation-only",
-                                 "unpolarised light: the mean of both squares."};
+                                 "only one polarisation is used: unpolarised light has the mean "
+                                 "of both squares."};
 const Diagnosis both_polarisations{
     "polarisations-not-averaged",
     "unpolarised light is half of each polarisation: the mean of both "
@@ -23,8 +25,8 @@ const Diagnosis both_polarisations{
 const Diagnosis no_total{"total-reflection-missing",
                          "where eta sin(theta) reaches 1 nothing is refracted."};
 const Diagnosis no_radiance_factor{"radiance-not-scaled",
-                                   "a pencil of light that is refracted changes its solid angle by "
-                                   "eta^2, and its radiance with it."};
+                                   "refraction changes the solid angle of a pencil of light by "
+                                   "eta^2, and with it the radiance."};
 const Diagnosis radiance_inverted{"radiance-scaling-inverted",
                                   "eta^2, not 1/eta^2: seen from outside, radiance within glass is "
                                   "divided by the square of its index."};

@@ -9,8 +9,7 @@ namespace {
 
 const Diagnosis counted_twice{
     "emission-counted-twice",
-    "light that direct_by_area() has brought is counted again where a ray "
-    "meets the light."};
+    "light that direct_by_area() has counted is counted again where a ray hits the light."};
 const Diagnosis direct_missing{"direct-light-missing",
                                "light straight from the lights is missing."};
 

@@ -8,18 +8,17 @@ using namespace lab08_tests;
 namespace {
 
 const Diagnosis no_compensation{"roulette-without-compensation",
-                                "paths end by roulette and those that go on carry no more: divide "
-                                "by the probability to survive."};
+                                "roulette ends paths, but the survivors are not weighted: divide "
+                                "by the survival probability."};
 const Diagnosis multiplied{"roulette-multiplied",
-                           "paths that roulette spares are multiplied by the probability to "
-                           "survive: they stand for those that ended, and have to count more, not "
-                           "less."};
+                           "paths that survive roulette are multiplied by the survival "
+                           "probability: they also stand for those that ended, so divide by it."};
 const Diagnosis other_chance{"roulette-by-the-other-chance",
-                             "paths that roulette spares are divided by the probability to end: it "
-                             "is the one to survive that they had."};
+                             "paths that survive roulette are divided by the probability of "
+                             "ending: divide by the survival probability."};
 const Diagnosis ended_dark{"ended-path-loses-light",
-                           "a path that roulette ends brings nothing at all: what it has gathered "
-                           "until then still counts."};
+                           "a path that roulette ends contributes nothing at all: the radiance "
+                           "gathered until then still counts."};
 const Diagnosis sampled_per_area{
     "light-sampled-per-area",
     "a light's point is divided by its density per area: multiply by cos/distance^2 too, or turn "
@@ -28,16 +27,18 @@ const Diagnosis sampled_inverted{"multiplied-by-the-density",
                                  "light from a light's point is multiplied by the point's density, "
                                  "not divided."};
 const Diagnosis both_whole{"techniques-not-weighted",
-                           "both techniques bring all of the direct light: their weights have to "
+                           "both techniques count all of the direct light: their weights have to "
                            "add up to 1."};
 const Diagnosis kept_across{
     "vertex-kept-across-mirror",
-    "after a mirror or glass emission counts whole: no point of a light was sampled there. The "
-    "surface before and its density have nothing to do with it: forget them."};
+    "after a mirror or glass emission counts in full: no light was sampled there. Discard the "
+    "previous surface and its density."};
 const Diagnosis read_twice{"random-number-reused",
-                           "one number served two decisions: seek() to the vertex's own places."};
+                           "one number is used for two decisions: seek() to the vertex's own "
+                           "dimensions."};
 const Diagnosis depth_slips{"depth-off-by-one",
-                            "a path of max_depth = 1 sees emission only, of 2 direct light."};
+                            "with max_depth = 1 a path sees only emission, with 2 also direct "
+                            "light."};
 
 Rows trace_all(Params params, double depth, bool finite = true) {
   params.numbers["depth"] = depth;

@@ -17,34 +17,35 @@ const Diagnosis back_of_lobe{"back-of-the-lobe",
                              "it counts as 0 there, and its power too."};
 const Diagnosis below_horizon{"below-the-horizon", "below the horizon f and pdf are 0."};
 const Diagnosis power_of_rounding{"power-of-a-rounded-cosine",
-                                  "a dot product of unit vectors may round to 1.0000001, and a "
-                                  "large n makes much of it: use |a - b|^2/2 = 1 - cos."};
+                                  "a dot product of unit vectors may round to 1.0000001, which a "
+                                  "large n amplifies: use |a - b|^2/2 = 1 - cos."};
 const Diagnosis one_minus_rounded{
     "one-minus-small-rounded",
-    "|a - b|^2/2 = 1 - cos is right, but subtracted from 1 it is rounded to multiples of 6e-8, and "
-    "a large n makes much of that: exp(n log1p(-|a - b|^2/2)) takes it as it is."};
+    "|a - b|^2/2 = 1 - cos is right, but subtracted from 1 it is rounded to multiples of 6e-8, "
+    "which a large n amplifies: exp(n log1p(-|a - b|^2/2)) keeps all its digits."};
 const Diagnosis about_normal{"lobe-about-the-normal",
-                             "the lobe stands about the normal: alpha is the angle with the mirror "
-                             "direction of wo."};
+                             "the lobe is centred on the normal: alpha is the angle with the "
+                             "mirror direction of wo."};
 const Diagnosis about_wo{"lobe-about-wo",
-                         "the lobe stands about wo itself: alpha is the angle with the mirror "
+                         "the lobe is centred on wo itself: alpha is the angle with the mirror "
                          "direction of wo."};
 const Diagnosis half_vector{
     "half-vector",
-    "alpha is the angle of wi with the mirror direction of wo. The normal's angle with the half "
-    "vector of wo and wi is about half of it: that makes Blinn's BRDF."};
+    "alpha is the angle of wi with the mirror direction of wo. The angle between the normal and "
+    "the half vector of wo and wi is about half of it, as in Blinn's BRDF."};
 const Diagnosis always_normalised{"chances-always-normalised",
-                                  "chances are divided by their sum only where that is above 1: "
-                                  "what is missing to 1 is the chance of absorption."};
+                                  "probabilities are divided by their sum only if it is above 1: "
+                                  "the rest to 1 is the probability of absorption."};
 const Diagnosis mean_of_channels{"mean-of-channels",
-                                 "a lobe's chance is the largest channel, not the mean of them."};
+                                 "a lobe's probability is the largest channel, not their mean."};
 const Diagnosis one_lobe_pdf{"density-of-one-lobe",
-                             "a direction may have come from either lobe: its density is the sum, "
-                             "each times the lobe's chance."};
+                             "a direction may have come from either lobe: its density is the sum "
+                             "of both, each times the lobe's probability."};
 const Diagnosis no_chances{"chances-not-in-pdf",
-                           "each lobe's density has to be multiplied by the lobe's chance."};
+                           "each lobe's density has to be multiplied by the lobe's probability."};
 const Diagnosis not_scaled{"chances-above-one",
-                           "chances that add up to more than 1 are divided by their sum."};
+                           "probabilities that add up to more than 1 have to be divided by their "
+                           "sum."};
 
 using ValueOf = std::function<double(const DirectionPair&)>;
 

@@ -16,44 +16,42 @@ namespace {
 
 const Diagnosis lobes_confused{
     "lobes-confused",
-    "a lobe is taken with another chance than lobe_probabilities() says: "
-    "u_lobe is compared with one chance, then with the sum of both."};
+    "a lobe is chosen with another probability than that of lobe_probabilities(): compare u_lobe "
+    "with one probability, then with the sum of both."};
 const Diagnosis redrawn{"below-horizon-redrawn",
-                        "directions below the horizon come back as others, drawn again or turned "
-                        "up: they carry nothing, and nothing is to be returned."};
+                        "directions below the horizon are drawn again or flipped: they "
+                        "contribute nothing, so return nothing."};
 const Diagnosis all_of_f{"all-of-f-over-one-density",
-                         "the weight is all of f over the density of one lobe alone: each "
-                         "direction that either can make is counted twice."};
+                         "the weight is the whole f over the density of one lobe alone: "
+                         "directions that both lobes can draw are counted twice."};
 const Diagnosis weight_of_one{"weight-of-one-lobe",
-                              "this is the weight of the lobe that was drawn, honest but not what "
-                              "is asked for: all of f over the density of both lobes."};
+                              "this is the weight of the drawn lobe alone: unbiased, but not the "
+                              "required one, the whole f over the density of both lobes."};
 const Diagnosis weight_without_pdf{
     "weight-without-pdf", "the weight is f cos(theta): it has to be divided by the density."};
 const Diagnosis weight_without_cosine{"weight-without-cosine", "the weight lacks the cosine."};
 const Diagnosis kept_below{"below-horizon-kept",
-                           "directions below the horizon are returned: they carry nothing, and "
-                           "they must not be drawn again."};
+                           "directions below the horizon are returned: they contribute nothing, "
+                           "and must not be drawn again."};
 const Diagnosis reused{"random-number-reused",
-                       "u_lobe decided on the lobe, and made the direction too: large parts of the "
-                       "hemisphere are never reached."};
+                       "u_lobe is used for the direction as well as for the lobe: large parts of "
+                       "the hemisphere are never reached."};
 const Diagnosis never_absorbs{"never-absorbs",
-                              "a direction is always returned: the rest of the chances is "
+                              "a direction is always returned: the rest of the probability is "
                               "absorption."};
 
 const Diagnosis wo_not_local{
     "wo-not-local",
-    "the lobe is drawn for wo as it is in the world: lab 07 has the normal along z, and wo has to "
-    "be brought into that frame first."};
+    "the lobe is drawn for wo in world coordinates: lab 7 has the normal along z, and wo has to "
+    "be transformed into that frame first."};
 const Diagnosis not_turned{"direction-not-turned",
                            "the direction stays in the frame in which the normal is z: it has to "
-                           "be turned to the world."};
+                           "be transformed to the world."};
 const Diagnosis drawn_about_normal{
     "lobe-drawn-about-the-normal",
-    "the lobe's directions crowd about the normal: they should about "
-    "the mirror direction of wo."};
-const Diagnosis drawn_about_wo{"lobe-drawn-about-wo",
-                               "the lobe's directions crowd about wo itself: they should about its "
-                               "mirror direction."};
+    "the lobe's directions surround the normal, not the mirror direction of wo."};
+const Diagnosis drawn_about_wo{
+    "lobe-drawn-about-wo", "the lobe's directions surround wo itself, not its mirror direction."};
 
 struct SampleCase {
   std::size_t material;  ///< into phong_cases()
@@ -220,7 +218,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   judge(verdict);
 }
 
-/// What the samples' weights consist of, instead of f cos/pdf.
+/// Counts samples whose weights are not f cos/pdf, and those that typical mistakes explain.
 struct Weights {
   double some = 0, wrong = 0, no_pdf = 0, no_cosine = 0, one_lobe = 0, all_over_one = 0;
 

@@ -17,9 +17,8 @@ const Diagnosis emission_lost{"emission-behind-glass-lost",
                               "there."};
 const Diagnosis light_black_in_mirror{
     "emission-in-mirror-lost",
-    "a light that a mirror's ray meets counts, as if the camera "
-    "saw it, whether the mirror itself was "
-    "asked with emission or without: no light was sampled there."};
+    "a light that a mirror's ray hits counts, as if the camera saw it, whether the call for the "
+    "mirror itself includes emission or not: no light was sampled there."};
 
 constexpr std::size_t n_paths = 50'000;
 

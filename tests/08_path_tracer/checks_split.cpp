@@ -11,10 +11,10 @@ namespace {
 
 const Diagnosis printed{
     "weights-as-printed",
-    "(1/2 p) and (1/2 (1 - p)) are no weights: a direction's weight is one over "
-    "its density, and the densities are 1/Omega and 1/(2 pi - Omega)."};
+    "(1/2 p) and (1/2 (1 - p)) are not the weights: a direction's weight is one over its "
+    "density, and the densities are 1/Omega and 1/(2 pi - Omega)."};
 const Diagnosis whole_hemisphere{"non-light-ray-as-whole-hemisphere",
-                                 "directions outside the light fill 2 pi - Omega, not 2 pi."};
+                                 "directions outside the light cover 2 pi - Omega, not 2 pi."};
 const Diagnosis not_rejected{"light-not-rejected",
                              "directions that meet the light have to be rejected from the second "
                              "set: they are in the first."};
@@ -25,7 +25,8 @@ const Diagnosis not_doubled{"coin-not-weighted",
                             "one of two directions was traced, with probability 1/2: divide by "
                             "it."};
 const Diagnosis stray_half{"stray-half",
-                           "half of what it should be: both rays are traced, no coin chose."};
+                           "the value is half of what it should be: both rays are traced, so "
+                           "there is no choice to divide by."};
 const Diagnosis cone_cut{"light-ray-as-if-cut",
                          "the light ray is uniform in the whole cone, the part below the horizon "
                          "included: its density is 1/solid_angle()."};

@@ -16,20 +16,21 @@ const Diagnosis reflection_not_divided{"reflection-not-divided",
                                        "reflection was chosen with probability 1 - p_emit: divide "
                                        "by it."};
 const Diagnosis mended_already{"lecture-rule-mended",
-                               "emission and reflection are added: word for word, the lecture's "
-                               "rule returns one of the two."};
+                               "emission and reflection are added: the lecture's rule, taken "
+                               "literally, returns one of the two."};
 const Diagnosis chances_swapped{"emission-and-reflection-swapped",
                                 "emission is chosen with probability 1 - p_emit, and reflection "
-                                "with p_emit: it should be the other way about."};
+                                "with p_emit: it should be the other way round."};
 const Diagnosis still_the_lecture{"still-the-lectures-rule",
-                                  "this is the lecture's rule still: emission is to be added, "
-                                  "always, and divided by nothing."};
+                                  "this is still the lecture's rule: emission always has to be "
+                                  "added, and divided by nothing."};
 const Diagnosis into_the_lecture{"recursion-into-the-lectures-rule",
                                  "the first surface is right; from the second on it is the "
                                  "lecture's rule: trace_path() has to call itself."};
 const Diagnosis no_weight{"weight-missing",
-                          "what arrives along sample()'s direction is multiplied by its weight."};
-const Diagnosis no_emission{"emission-missing", "what the surfaces emit is missing."};
+                          "the radiance from sample()'s direction has to be multiplied by its "
+                          "weight."};
+const Diagnosis no_emission{"emission-missing", "the surfaces' emission is missing."};
 
 }  // namespace
 

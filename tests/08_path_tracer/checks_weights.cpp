@@ -18,7 +18,7 @@ const Diagnosis squares_overflow{
     "p^2 and q^2 overflow, or vanish, where p and q are large or small: "
     "square their ratio."};
 const Diagnosis light_choice{"light-choice-not-in-pdf",
-                             "one of several lights is chosen: the density holds its chance()."};
+                             "one of several lights is chosen: the density includes its chance()."};
 const Diagnosis no_cosine{"cosine-missing-in-light-pdf",
                           "distance^2/(cos area): the cosine at the light is missing."};
 const Diagnosis no_distance_in_pdf{"distance-missing-in-light-pdf",
@@ -29,12 +29,11 @@ const Diagnosis times_area{"light-pdf-times-area",
                            "a larger light has a smaller density at each of its points: divide by "
                            "its area."};
 const Diagnosis per_area{"light-pdf-per-area",
-                         "1/area is the density per area. Per solid angle it is another: "
-                         "multiply by what turns a piece of area into solid angle, the other way "
-                         "about."};
+                         "1/area is the density per area. Multiply by distance^2/cos to get the "
+                         "density per solid angle."};
 const Diagnosis turned_over{"light-pdf-inverted",
-                            "the step from area to solid angle is upside down: a density grows "
-                            "where the same area covers less solid angle."};
+                            "the conversion from area to solid angle is inverted: the density "
+                            "grows where the same area covers less solid angle."};
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// The probabilities with which World::choose() takes lab 08's lights. Exact: of all 2^24 numbers
-// that Rng::uniform_float() gives, a light gets as many as its chance() says.
+// The probabilities with which World::choose() selects lab 8's lights. Exact: each light is
+// selected by its chance() times 2^24 of the 2^24 numbers that Rng::uniform_float() can return.
 
 #include "08_path_tracer/scenes.h"
 #include "given/light_choice.h"

@@ -17,17 +17,16 @@
 namespace lab08_tests {
 
 inline const carlo::grader::Diagnosis one_bounce{"emission-of-first-surface-only",
-                                                 "only what the first surface emits arrives."};
+                                                 "only the first surface's emission counts."};
 inline const carlo::grader::Diagnosis self_hit{
     "ray-meets-its-own-surface",
-    "light gets lost: a ray that starts on a surface meets that again; "
-    "world.leave() starts it beside."};
+    "light is lost: a ray that starts on a surface hits it again; world.leave() offsets its origin."};
 inline const carlo::grader::Diagnosis sky_missing{
-    "environment-missing", "rays that meet no surface bring world.environment()."};
+    "environment-missing", "the radiance of rays that meet no surface is world.environment()."};
 inline const carlo::grader::Diagnosis absorbed_dark{
     "absorbed-path-loses-light",
-    "a path that sample() absorbs brings nothing at all: what it has gathered until then, and what "
-    "the surface where it ends emits, still counts."};
+    "a path that sample() absorbs contributes nothing at all: the radiance gathered until then, "
+    "and the emission of the surface where it ends, still count."};
 
 constexpr std::size_t paths = 50'000;
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// The materials, directions and cones of lab 08's probes, which the checks use too.
+// The materials, directions and cones of lab 8's probes, which the checks use too.
 
 namespace lab08_tests {
 

@@ -1,4 +1,4 @@
-// Probes of lab 08's exercises 8.1 to 8.3 and 8.5. They call the student's functions and return raw
+// Probes of lab 8's exercises 8.1 to 8.3 and 8.5. They call the student's functions and return raw
 // values; checks_*.cpp says what the values should be.
 
 #include "08_path_tracer/places.h"

@@ -1,4 +1,4 @@
-// Probes of lab 08's exercises 8.4 and 8.6 to 8.8: paths through whole worlds.
+// Probes of lab 8's exercises 8.4 and 8.6 to 8.8: paths through whole worlds.
 
 #include "08_path_tracer/views.h"
 #include "grader/worker/probe.h"

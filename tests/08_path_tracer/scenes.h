@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-// The worlds of lab 08's probes; each has a closed form (theory.h).
+// The worlds of lab 8's probes; each has a closed form (theory.h).
 
 namespace lab08_tests {
 

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-// Closed forms and integrals, in double, for lab 08's checks.
+// Closed forms and integrals, in double, for lab 8's checks.
 
 namespace lab08_tests {
 

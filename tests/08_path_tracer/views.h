@@ -7,7 +7,7 @@
 
 #include <string>
 
-// The views of the probes of lab 08's paths, as requested by the checks.
+// The views of the probes of lab 8's paths, as requested by the checks.
 
 namespace lab08_tests {
 

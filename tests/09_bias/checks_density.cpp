@@ -13,57 +13,61 @@ using namespace carlo::grader;
 namespace {
 
 const Diagnosis cosine_multiplied{"cosine-multiplied",
-                                  "a cosine is multiplied: photons arrive with a density that has "
-                                  "it already, for a slanted beam is spread over more surface."};
+                                  "the sum includes a cosine: the density of photons already has "
+                                  "it, since a slanted beam spreads over more surface."};
 const Diagnosis cosine_divided{"cosine-divided",
-                               "photons are divided by their cosine; of the irradiance that they "
-                               "bring nothing is to be taken back."};
+                               "photons are divided by their cosine, but the irradiance needs no "
+                               "correction."};
 const Diagnosis other_side{"other-side-counted",
-                           "photons that arrived on the surface's other side count, too."};
+                           "photons that arrived on the surface's other side are counted, too."};
 const Diagnosis wrong_side{"wrong-side",
-                           "the photons of the surface's other side count, and its own do not: wi "
-                           "points to where the light came from."};
-const Diagnosis brdf_missing{"brdf-missing", "the BRDF is missing: that is the irradiance."};
+                           "the photons of the surface's other side are counted instead of its "
+                           "own: wi points to where the light came from."};
+const Diagnosis brdf_missing{"brdf-missing", "the BRDF is missing: this is the irradiance."};
 const Diagnosis brdf_of_wo{"brdf-of-wo",
-                           "the BRDF is asked for wo; it knows wo and wants the photon's wi."};
+                           "the BRDF is called with wo; it already has wo and needs the photon's "
+                           "wi."};
 const Diagnosis brdf_reversed{
-    "brdf-of-minus-wi", "the BRDF is asked for -wi; wi points to where the photon came from."};
+    "brdf-of-minus-wi", "the BRDF is called with -wi; wi points to where the photon came from."};
 const Diagnosis flux_missing{"flux-missing",
-                             "photons are counted; each brings its flux, in three channels."};
+                             "photons are only counted; each contributes its flux, in three "
+                             "channels."};
 const Diagnosis area_missing{"area-missing",
-                             "that is reflected flux: radiance takes the area on which the photons "
-                             "arrived."};
-const Diagnosis pi_missing{"pi-missing", "the disc's area has a factor pi."};
-const Diagnosis not_squared{"radius-not-squared", "the disc's area has the radius squared."};
+                             "this is reflected flux: for radiance divide by the area on which "
+                             "the photons arrived."};
+const Diagnosis pi_missing{"pi-missing", "the disc's area lacks the factor pi."};
+const Diagnosis not_squared{"radius-not-squared",
+                            "the disc's area needs the square of the radius."};
 const Diagnosis ball_volume{"volume-of-a-ball",
                             "photons are divided by a ball's volume; they lie on a surface, a "
                             "disc."};
 const Diagnosis ball_surface{"surface-of-a-ball",
                              "photons are divided by a ball's surface; they lie on a disc."};
 const Diagnosis mean_taken{"mean-of-the-photons",
-                           "the sum is divided by the photons' number: more photons are more "
+                           "the sum is divided by the number of photons: more photons are more "
                            "light."};
 const Diagnosis map_size{"divided-by-map-size",
-                         "the sum is divided by the number of photons in the map: each flux is a "
-                         "part of the whole already."};
+                         "the sum is divided by the number of photons in the map: each flux is "
+                         "already its share of the total."};
 const Diagnosis squared_search{"searched-within-radius-squared",
                                "within() wants the radius, not its square."};
 const Diagnosis emission_added{"emission-added",
-                               "what the surface emits is added: it is not reflected."};
+                               "the surface's emission is added: it is not reflected light."};
 const Diagnosis some_left_out{"photons-left-out",
-                              "photons are left out by what they met before; all that are in the "
-                              "map count."};
+                              "photons are left out because of the surfaces they met before; all "
+                              "photons of the map count."};
 const Diagnosis kth_counted{"k-th-photon-counted",
-                            "k photons are summed: the k-th only says how large the disc is, and "
-                            "with it the mean is k/(k - 1) too large."};
+                            "k photons are summed: the k-th only determines the size of the "
+                            "disc; including it makes the mean k/(k - 1) times too large."};
 const Diagnosis smaller_disc{"disc-of-k-minus-1",
-                             "the disc ends at the last photon that is summed: it should end at "
-                             "the k-th, which is not."};
+                             "the disc ends at the last photon of the sum: it should end at the "
+                             "k-th, which is not in the sum."};
 const Diagnosis k_rescaled{"scaled-by-k",
-                           "the sum of k - 1 photons is scaled up to k: it was unbiased."};
+                           "the sum of k - 1 photons is scaled up to k: it is unbiased without "
+                           "that."};
 const Diagnosis fewer_counted{"fewer-than-k-counted",
-                              "fewer than k photons bring something: they do not say how large the "
-                              "disc is, and the contract makes that 0."};
+                              "fewer than k photons give a radiance: they do not determine the "
+                              "size of the disc, and the contract requires 0 then."};
 const Diagnosis nothing_is_nan{"nothing-is-not-0", "where no photon lies the radiance is 0."};
 
 /// The term that is summed for each photon, and the divisor of the sum.

@@ -25,16 +25,15 @@ const Diagnosis mirrored_emission_lost{
     "emission that the camera sees in a mirror is missing: no photon stands for it, for no Phong "
     "surface lies between."};
 const Diagnosis photons_unweighted{"weight-missing-for-photons",
-                                   "what photons bring is added without the weights of the mirrors "
-                                   "and of the glass before it."};
+                                   "the photons' contribution is added without the weights of "
+                                   "the mirrors and of the glass before it."};
 const Diagnosis last_weight_only{"last-weight-only",
                                  "only the last mirror's weight counts: weights multiply."};
 const Diagnosis glass_as_flux{
     "radiance-not-scaled",
-    "radiance is scaled by eta^2 where the ray goes into glass. (Flux was "
-    "not.)"};
+    "radiance has to be scaled by eta^2 where the ray enters glass. (Flux was not.)"};
 const Diagnosis sky_missing{"environment-missing",
-                            "a ray that meets nothing brings the environment."};
+                            "the radiance of a ray that meets nothing is the environment's."};
 const Diagnosis sky_unweighted{"weight-missing-for-environment",
                                "the environment is added without the mirror's weight."};
 const Diagnosis samples_beside{"light-sampled-beside-the-map",
@@ -55,7 +54,7 @@ std::vector<DensityPhoton> photons_on_target(std::uint64_t seed) {
 }
 
 /// The radiance due to the photons on the target.
-DensityVec target_photons_bring(const std::vector<DensityPhoton>& photons, Vec3 wo) {
+DensityVec photon_radiance_of_target(const std::vector<DensityPhoton>& photons, Vec3 wo) {
   const auto r = static_cast<double>(target_radius);
   DensityVec sum(0);
   for (const DensityPhoton& photon : photons) {
@@ -74,7 +73,7 @@ struct Seen {
   DensityVec emitted{0}, photons{0}, around{0};
 };
 
-/// What a single ray cannot show.
+/// Properties that take more than a single ray to show.
 struct Sights {
   bool alike = true;          ///< true if all rays of one sight have the same radiance
   bool density_right = true;  ///< true if radiance_within() is right, so that mistakes are the
@@ -89,11 +88,11 @@ Seen see(Sight sight, bool caustic, Sights& sights) {
              .numbers = {{"sight", static_cast<double>(sight)}, {"caustic", caustic ? 1 : 0}}},
             {.rows = rays + 1, .columns = 3, .finite = false, .of = name_of(sight)});
   const std::vector<DensityPhoton> photons = photons_on_target(rows.seed);
-  std::vector<DensityVec> brought = radiances(rows);
+  std::vector<DensityVec> seen_radiances = radiances(rows);
   const DensityVec within =
       density_within(photons, DensityVec(0), {0, 0, 1}, static_cast<double>(target_radius));
-  sights.density_right = sights.density_right && same_radiance(brought.back(), within);
-  brought.pop_back();
+  sights.density_right = sights.density_right && same_radiance(seen_radiances.back(), within);
+  seen_radiances.pop_back();
   Seen seen;
   const DensityVec first(first_mirror), second(second_mirror);
   if (sight == Sight::mirror || sight == Sight::mirrored_sky) seen.weight = first;
@@ -104,10 +103,10 @@ Seen see(Sight sight, bool caustic, Sights& sights) {
     seen.around = DensityVec(sky);
   } else {
     seen.emitted = DensityVec(target_glow);
-    seen.photons = target_photons_bring(photons, target_wo(sight));
+    seen.photons = photon_radiance_of_target(photons, target_wo(sight));
   }
   bool found = false;
-  for (const DensityVec& value : brought) {
+  for (const DensityVec& value : seen_radiances) {
     // Glass reflects some rays, into nothing.
     if (sight == Sight::glass && value == DensityVec(0)) continue;
     if (!found) seen.is = value;

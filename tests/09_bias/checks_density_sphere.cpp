@@ -26,11 +26,10 @@ const Diagnosis direct_missing{
     "surfaces: a map of caustics does not have it."};
 const Diagnosis first_direct_only{
     "direct-light-at-first-surface-only",
-    "lights are sampled at the path's first Phong surface only: later "
-    "ones are lit, too."};
+    "lights are sampled only at the path's first Phong surface: later ones are lit, too."};
 const Diagnosis path_ends{"path-ends-at-phong",
-                          "the path ends at the first Phong surface: light that came by other "
-                          "Phong surfaces is in no map of caustics."};
+                          "the path ends at the first Phong surface: light via other Phong "
+                          "surfaces is not in a map of caustics."};
 const Diagnosis first_caustic_only{"caustics-at-first-surface-only",
                                    "photons count at the path's first Phong surface only: later "
                                    "ones have caustics, too."};
@@ -55,8 +54,8 @@ const Diagnosis samples_beside_map{"light-sampled-beside-the-map",
                                    "light is sampled beside the map: a map of all photons has that "
                                    "light already."};
 const Diagnosis sky_by_camera_only{"environment-lost-after-phong",
-                                   "rays that leave a Phong surface and meet nothing bring the "
-                                   "environment: nobody else does."};
+                                   "rays that leave a Phong surface and meet nothing have to add "
+                                   "the environment: nothing else does."};
 
 // The sphere --------------------------------------------------------------------------------------
 

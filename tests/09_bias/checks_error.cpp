@@ -19,18 +19,19 @@ const Unsaid unsaid_error{"case"};
 namespace error_slips {
 
 const Diagnosis mean_noise_in_bias{"noise-of-the-mean-in-the-bias",
-                                   "the squared error of the mean is given as bias^2; it holds the "
-                                   "mean's own variance as well, and is too large on average."};
+                                   "the squared error of the mean is given as bias^2; it also "
+                                   "includes the variance of the mean, and is too large on "
+                                   "average."};
 const Diagnosis one_variance_off{"variance-of-one-taken-off",
-                                 "the variance of one estimate is taken off; the mean of n varies "
-                                 "less."};
+                                 "the variance of one estimate is subtracted; that of the mean "
+                                 "of n is smaller."};
 const Diagnosis bias_cut_off{"bias-cut-off-at-zero",
-                             "a bias^2 below 0 is lifted to 0; the average of many is too large "
-                             "then."};
+                             "a bias^2 below 0 is raised to 0, which makes the average of many "
+                             "too large."};
 const Diagnosis bias_unsquared{"bias-not-squared", "the bias is given, not its square."};
 const Diagnosis square_error_as_bias{
     "mean-square-error-as-bias", "the mean of the squared errors is bias^2 and variance together."};
-const Diagnosis parts_swapped{"parts-swapped", "bias^2 and variance have changed places."};
+const Diagnosis parts_swapped{"parts-swapped", "bias^2 and variance are exchanged."};
 const Diagnosis variance_by_n{"variance-divided-by-n",
                               "the sum of squares is divided by n; the unbiased estimate takes "
                               "n - 1."};
@@ -49,10 +50,10 @@ const Diagnosis not_logarithmic{"slope-without-logarithms",
                                 "a power of n is a straight line only where both axes are "
                                 "logarithmic."};
 const Diagnosis through_origin{"line-through-the-origin",
-                               "the line is led through the origin; it has a height of its own, "
-                               "which the distances from both means take care of."};
+                               "the line is forced through the origin; subtracting both means "
+                               "allows for its intercept."};
 const Diagnosis ends_only{"slope-of-the-ends",
-                          "the slope is that between two points; least squares weighs them all."};
+                          "the slope is that between two points; least squares uses all of them."};
 const Diagnosis other_way_round{"slope-the-other-way-round",
                                 "the slope is that of log n over log error."};
 const Diagnosis square_missing{
@@ -63,7 +64,9 @@ const Diagnosis other_logarithms{"two-logarithms",
                                  "n and error have logarithms of different bases."};
 const Diagnosis own_noise_forgotten{"noise-of-the-biased-method-forgotten",
                                     "the biased method has noise as well, b/t."};
-const Diagnosis noises_added{"noises-added", "both noises are added; they stand on two sides."};
+const Diagnosis noises_added{"noises-added",
+                             "the two noise terms are added; they belong on "
+                             "different sides of the equation."};
 const Diagnosis roots_compared{"roots-compared",
                                "standard deviations are subtracted; bias and noise add up as "
                                "squares."};

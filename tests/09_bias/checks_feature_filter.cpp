@@ -14,44 +14,46 @@ using namespace carlo::grader;
 namespace lab09_features {
 namespace {
 
-const Diagnosis half_lost{"half-lost", "squared distances are over twice the strength's square."};
+const Diagnosis half_lost{"half-lost",
+                          "squared distances have to be divided by twice the "
+                          "strength's square."};
 const Diagnosis not_squared{"distance-not-squared",
                             "distances count squared: |a - a'|^2 over 2 strength^2."};
 const Diagnosis strength_not_squared{"strength-not-squared",
-                                     "a strength is a distance; what divides a squared distance is "
+                                     "a strength is a distance: divide the squared distance by "
                                      "its square."};
 const Diagnosis features_averaged{"features-averaged",
-                                  "the mean over the channels is taken of the colours alone; of a "
-                                  "feature the squared length of the difference counts."};
+                                  "only colours are averaged over the channels; for a feature "
+                                  "use the squared length of the difference."};
 const Diagnosis cosine_of_normals{"one-minus-cosine",
-                                  "1 - n . n' is half of |n - n'|^2, and is halved once more."};
+                                  "1 - n . n' is half of |n - n'|^2, and has to be halved once "
+                                  "more."};
 const Diagnosis depth_absolute{"depth-not-relative",
-                               "depths differ by a part of the larger one, not by a length: else "
-                               "the filter depends on the scene's scale."};
+                               "the difference of depths is relative to the larger one: "
+                               "otherwise the filter depends on the scene's scale."};
 const Diagnosis depth_of_one{"depth-over-own-depth",
-                             "the larger of both depths divides; over one pixel's own the weight "
-                             "is not the same both ways round."};
+                             "divide by the larger of both depths; with the pixel's own depth "
+                             "the weight is not symmetric."};
 const Diagnosis depth_of_smaller{"depth-over-smaller", "the larger of both depths divides."};
 const Diagnosis depth_of_mean{"depth-over-mean",
                               "the larger of both depths divides, not the mean."};
 const Diagnosis sky_not_defined{"sky-beside-sky",
                                 "two pixels that see the sky have depth 0: 0/0 is no number."};
 const Diagnosis noise_counted{"noise-as-difference",
-                              "what two estimates of one colour differ by, v on average, is to be "
-                              "taken off first."};
+                              "subtract the expected difference of two estimates of one colour, "
+                              "v, first."};
 const Diagnosis weight_above_one{"below-noise-rewarded",
-                                 "colours that are nearer than their noise count as equal, not as "
-                                 "more than equal: max(0, ...)."};
+                                 "colours that differ by less than their noise count as equal, "
+                                 "not as more than equal: max(0, ...)."};
 const Diagnosis variance_of_one{"variance-of-one",
                                 "both colours are noisy: the variance of their difference is the "
                                 "sum of both."};
 const Diagnosis larger_variance{"larger-variance",
                                 "the variance of a difference is the sum of both, not the larger."};
-const Diagnosis errors_added{"standard-errors-added", "variances add up, standard errors do not."};
+const Diagnosis errors_added{"standard-errors-added", "variances add, standard errors do not."};
 const Diagnosis root_of_variance{"variance-as-standard-error",
-                                 "a variance is a square already; squared again it is something "
-                                 "else."};
-const Diagnosis k_not_squared{"k-not-squared", "k is in standard errors: k^2 goes with v."};
+                                 "a variance is already a square: do not square it again."};
+const Diagnosis k_not_squared{"k-not-squared", "k is in standard errors: multiply v by k^2."};
 const Diagnosis channels_summed{"channels-summed",
                                 "the three channels' distances are averaged, not added up."};
 const Diagnosis worst_channel{"largest-channel", "the mean of the three channels counts."};
@@ -59,15 +61,15 @@ const Diagnosis channels_mixed{"channels-mixed",
                                "channels are compared one by one: differences of different signs "
                                "must not cancel."};
 const Diagnosis sure_not_defined{"sure-colours-not-defined",
-                                 "where neither colour has a variance there is 0/0: equal colours "
-                                 "count 0 there, others make the weight 0."};
+                                 "if neither colour has a variance the term is 0/0: equal "
+                                 "colours then add 0, different ones make the weight 0."};
 const Diagnosis sure_ignored{"sure-colours-ignored",
                              "colours without noise that differ are different: the weight is 0."};
 const Diagnosis sure_refused{"sure-colours-refused",
-                             "equal colours are equal, also where neither has a variance."};
+                             "equal colours are equal even if neither has a variance."};
 const Diagnosis grows{"weight-grows", "the weight is exp(-d): it falls with the distance."};
 const Diagnosis not_exponential{"weight-not-exponential", "the weight is exp(-d)."};
-const Diagnosis term_missing{"term-missing", "this difference makes none in the weight."};
+const Diagnosis term_missing{"term-missing", "this difference has no effect on the weight."};
 const Diagnosis not_symmetric{"not-symmetric", "a weight is the same both ways round."};
 
 /// The results of mistakes in exp(-d) for any exponent d.

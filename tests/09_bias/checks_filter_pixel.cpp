@@ -18,19 +18,22 @@ const Diagnosis not_divided{
     "not-divided-by-weights",
     "the sum of the weighted colours is divided by the sum of the weights."};
 const Diagnosis divided_by_pixels{"divided-by-pixels",
-                                  "the sum of the weights divides, not the number of pixels."};
+                                  "divide by the sum of the weights, not by the number of pixels."};
 const Diagnosis window_short{"window-short",
                              "the window reaches from x - radius to x + radius, both included, and "
                              "so in y."};
 const Diagnosis window_long{"window-long",
                             "the window reaches to `radius` pixels away, not beyond."};
 const Diagnosis edge_repeated{"edge-repeated",
-                              "pixels at the image's edge are counted again for those that are not "
-                              "there; the window is to be cut off."};
+                              "pixels at the image's edge are repeated for those outside; the "
+                              "window has to be cut off."};
 const Diagnosis edge_wrapped{"edge-wrapped",
-                             "the window goes on at the image's other side; it is to be cut off."};
+                             "the window wraps around to the image's other side; it has to be "
+                             "cut off."};
 const Diagnosis middle_left_out{"middle-left-out", "the pixel itself belongs to its window."};
-const Diagnosis not_weighted{"not-weighted", "each pixel counts by its feature_weight()."};
+const Diagnosis not_weighted{"not-weighted",
+                             "each pixel has to be weighted by its "
+                             "feature_weight()."};
 const Diagnosis x_and_y{"x-and-y-exchanged", "x counts columns, y rows."};
 const Diagnosis weights_not_squared{"weights-not-squared",
                                     "the variance of w times a number is w^2 times its variance."};
@@ -44,9 +47,9 @@ const Diagnosis own_variance{"variance-of-the-middle",
                              "the variance of the pixel itself is given, not that of the mean."};
 const Diagnosis by_squares{
     "divided-by-sum-of-squares",
-    "the sum of the weights, squared, divides; not the sum of their squares."};
+    "divide by the square of the sum of the weights, not by the sum of their squares."};
 const Diagnosis root_given{"standard-error-for-variance",
-                           "the variance of the mean is wanted, not its standard error."};
+                           "the variance of the mean is required, not its standard error."};
 
 struct WindowCase {
   ImageKind kind;

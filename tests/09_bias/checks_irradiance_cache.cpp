@@ -35,27 +35,26 @@ const Diagnosis by_strata{"divided-by-strata",
                           "there are strata^2 directions: that is what a mean is divided by."};
 const Diagnosis arithmetic{
     "arithmetic-mean-distance",
-    "distances are averaged themselves. The harmonic mean is one over the mean of 1/d: what is "
-    "near decides."};
+    "the distances themselves are averaged. The harmonic mean is one over the mean of 1/d."};
 const Diagnosis not_inverted{"mean-of-inverses", "the mean of 1/d is given, not one over it."};
 const Diagnosis skipped{"infinite-distances-not-counted",
-                        "rays that meet nothing count as well: their 1/d is 0, and they are part "
-                        "of the number."};
+                        "rays that meet nothing count as well: their 1/d is 0, and they are "
+                        "included in the number."};
 const Diagnosis nearest{"nearest-distance", "the nearest distance is given, not the mean."};
 const Diagnosis geometric{"geometric-mean-distance",
                           "the geometric mean of the distances is given, not the harmonic one."};
 const Diagnosis cosine_in_mean{"distances-weighed-by-cosines",
-                               "directions are cosine-weighted already; distances are not to be "
-                               "weighed once more."};
+                               "directions are already cosine-weighted; do not weight the "
+                               "distances again."};
 const Diagnosis open_sky{"open-sky",
-                         "where no ray meets anything the harmonic mean is infinite, and the "
-                         "record serves everywhere."};
+                         "if no ray meets anything the harmonic mean is infinite, and the record "
+                         "can be used everywhere."};
 const Diagnosis channels_mixed{"channels-mixed", "the three channels have to be kept apart."};
 const Diagnosis swapped{"point-and-normal",
                         "a record keeps the point and the normal it was made at."};
 const Diagnosis not_turned{"direction-not-turned",
-                           "directions point below the horizon: what Lab 7.4 makes lies around z, "
-                           "and a frame of n (Lab 7.1) turns it."};
+                           "directions point below the horizon: those of Lab 7.4 are around z, "
+                           "and a frame of n (Lab 7.1) transforms them."};
 const Diagnosis uniform_directions{"uniform-directions",
                                    "directions are uniform on the hemisphere: the mean cosine is "
                                    "1/2, of cosine-weighted ones 2/3."};
@@ -63,19 +62,19 @@ const Diagnosis number_reused{"number-reused",
                               "u.x and u.y are not independent: each needs a number of its own."};
 const Diagnosis not_stratified{
     "not-stratified",
-    "records scatter as if their directions were independent: u is to lie in stratum (column, row) "
-    "of the square, one direction in each, at a random place of its own."};
+    "records vary as if their directions were independent: there should be one direction for "
+    "each stratum (column, row) of the square, at its own random place."};
 const Diagnosis not_jittered{"not-jittered",
-                             "the same directions every time: a stratum's point is a random one, "
-                             "not its middle or its corner."};
+                             "the directions are the same every time: the point in a stratum is "
+                             "random, not its middle or its corner."};
 const Diagnosis wrong_count{"directions-not-strata-squared",
                             "strata x strata directions, one in each stratum."};
 const Diagnosis digits{"dot-product-rounded",
-                       "for normals that differ little 1 - n . n' is lost to rounding: n . n' is a "
-                       "float next to 1. |n - n'|^2/2 is the same and has all its digits."};
+                       "for similar normals 1 - n . n' is lost to rounding: n . n' is a float "
+                       "close to 1. |n - n'|^2/2 is the same and has all its digits."};
 const Diagnosis dot_above_one{"dot-product-above-one",
                               "n . n' may be rounded to more than 1, and the root of a negative "
-                              "number is none. |n - n'|^2/2 cannot be negative."};
+                              "number is NaN. |n - n'|^2/2 cannot be negative."};
 
 }  // namespace record_slips
 

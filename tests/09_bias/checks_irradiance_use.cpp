@@ -16,20 +16,21 @@ namespace {
 namespace use_slips {
 
 const Diagnosis division_by_zero{
-    "error-zero", "right at a record its error is 0 and the weight 1/0: it decides alone there."};
+    "error-zero",
+    "exactly at a record its error is 0 and the weight 1/0: use this record alone "
+    "there."};
 const Diagnosis invented{"something-from-nothing",
-                         "where no record is left nothing is to be returned: std::nullopt."};
-const Diagnosis not_kept{"record-not-kept",
-                         "a new record has to be added to the cache; else it is made in vain."};
+                         "if no record can be used, return nothing: std::nullopt."};
+const Diagnosis not_kept{"record-not-kept", "a new record has to be added to the cache."};
 const Diagnosis made_always{"made-always",
-                            "make() is called though records serve: it is what the cache is there "
-                            "to save."};
+                            "make() is called although records can be used: avoiding it is the "
+                            "point of the cache."};
 const Diagnosis made_twice{"made-twice",
-                           "make() is called twice for one record: call it once and keep what it "
-                           "returns."};
+                           "make() is called twice for one record: call it once and keep its "
+                           "result."};
 const Diagnosis kept_always{"interpolated-values-kept",
-                            "interpolated values are added to the cache: they are no records, and "
-                            "errors pile up."};
+                            "interpolated values are added to the cache: they are not records, "
+                            "and their errors accumulate."};
 
 }  // namespace use_slips
 

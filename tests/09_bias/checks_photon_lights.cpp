@@ -17,15 +17,15 @@ using namespace carlo::grader;
 namespace {
 
 const Diagnosis not_divided{"chance-not-divided",
-                            "the light was chosen with a chance: the flux is to be divided by it."};
-const Diagnosis multiplied{"chance-multiplied", "divide by the light's chance, do not multiply."};
+                            "the light was chosen at random: divide the flux by its chance()."};
+const Diagnosis multiplied{"chance-multiplied", "divide by the light's chance(), do not multiply."};
 const Diagnosis evenly{"lights-chosen-evenly",
-                       "all lights have the same chance: half of the time world.choose() goes by "
-                       "their powers."};
+                       "all lights have the same probability: world.choose() chooses half of the "
+                       "time by power."};
 const Diagnosis never_chosen{"light-never-chosen", "a light is never chosen."};
 const Diagnosis by_power{"lights-chosen-by-power-alone",
-                         "lights are chosen by their powers alone, and a weak one beside a strong "
-                         "one has no photons: world.choose() leaves every light a chance."};
+                         "lights are chosen by power alone, so that a weak one beside a strong "
+                         "one has no photons: world.choose() samples every light often enough."};
 
 using Lights = std::span<const ColouredLight>;
 

@@ -18,38 +18,37 @@ const Diagnosis stored_late{
     "stored-after-reflection",
     "a photon is stored as it arrives, before what the surface does to it."};
 const Diagnosis albedo_twice{"albedo-in-place-of-weight",
-                             "sample() absorbs photons already: its weight is what is left to "
-                             "multiply, not the albedo."};
+                             "sample() already absorbs photons: multiply by its weight, not by "
+                             "the albedo."};
 const Diagnosis weight_missing{"weight-missing",
-                               "sample()'s weight is missing: of a coloured surface the chance to "
-                               "go on is right for one channel only."};
+                               "sample()'s weight is missing: for a coloured surface the "
+                               "probability of continuing is right for one channel only."};
 const Diagnosis first_only{"first-surface-only",
-                           "photons are stored where they arrive first, and not after a "
+                           "photons are stored only where they arrive first, not after a "
                            "reflection."};
 const Diagnosis absorbed_lost{"absorbed-photon-not-stored",
-                              "a photon that is absorbed has arrived, too: store it before "
-                              "sample() is asked."};
+                              "a photon that is absorbed has arrived, too: store it before you "
+                              "call sample()."};
 const Diagnosis direct_lost{
     "direct-photons-not-stored",
-    "photons straight from a light source are light that arrives, too: they are "
-    "stored like all others, and whoever wants none of them looks at phong "
-    "and specular."};
+    "photons straight from a light source have to be stored, too: users of the map that do not "
+    "want them check phong and specular."};
 const Diagnosis wi_onwards{"wi-points-onwards",
                            "wi points to where the photon came from, against the ray."};
 const Diagnosis wi_next{"wi-of-the-next-ray",
-                        "wi is the direction in which the photon goes on; it should point to where "
-                        "it came from."};
+                        "wi is the direction in which the photon continues; it should point to "
+                        "where it came from."};
 const Diagnosis photon_self_hit{"ray-meets-its-own-surface",
-                                "photons are stored again and again at one point: a ray that "
-                                "starts on a surface meets it; world.leave() starts it beside."};
+                                "photons are stored repeatedly at one point: a ray that starts "
+                                "on a surface hits it again; world.leave() offsets its origin."};
 const Diagnosis lobe_lost{
     "wo-points-onwards",
-    "only the diffuse part is reflected: sample() wants wo, which points back "
-    "along the ray, and its lobe lies about the mirror direction of that."};
+    "only the diffuse part is reflected: sample() needs wo, which points back along the ray; the "
+    "lobe surrounds its mirror direction."};
 const Diagnosis lobe_number{
     "random-number-reused",
-    "the number that chooses the lobe makes the direction, too: large parts "
-    "of the hemisphere are never reached."};
+    "the number that chooses the lobe is used for the direction, too: large parts of the "
+    "hemisphere are never reached."};
 
 // The closed sphere -------------------------------------------------------------------------------
 

@@ -16,18 +16,18 @@ const Diagnosis specular_not_counted{"specular-not-counted",
 const Diagnosis counts_all{"phong-counts-mirrors", "phong counts mirrors and glass, too."};
 const Diagnosis flag_not_count{
     "specular-is-a-flag",
-    "specular counts all mirrors and glass on the way: it does not say whether there was one, and "
-    "does not begin anew at a Phong surface."};
+    "specular counts all mirrors and glass of the path: it is not a flag, and is not reset at a "
+    "Phong surface."};
 const Diagnosis mirror_bright{"mirror-reflects-all",
                               "the mirror's reflectance is missing in the flux."};
 const Diagnosis stored_on_mirror{"stored-on-mirrors",
-                                 "photons are stored on mirrors or on glass, where no radiance can "
-                                 "be made of them."};
+                                 "photons are stored on mirrors or on glass, where no radiance "
+                                 "can be computed from them."};
 const Diagnosis scaled_by_eta{"flux-scaled-by-eta",
                               "radiance is scaled by eta^2 where light is refracted, because its "
                               "solid angle changes; flux is not."};
 const Diagnosis no_lights{"lights-store-nothing",
-                          "photons that meet a light are lost: it is a surface like any other."};
+                          "photons that hit a light are lost: it is a surface like any other."};
 
 std::vector<Diagnosis> of_mirror_counts(const std::vector<Trail>& all, bool stored_at_mirrors) {
   if (stored_at_mirrors) return {stored_on_mirror};

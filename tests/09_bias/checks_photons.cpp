@@ -17,14 +17,14 @@ using namespace carlo::grader;
 namespace {
 
 const Diagnosis flux_is_intensity{"flux-is-intensity",
-                                  "intensity is power per solid angle, and the photon stands for "
+                                  "intensity is power per solid angle, and the photon represents "
                                   "all directions: multiply by the sphere's solid angle."};
 const Diagnosis half_sphere_flux{
     "flux-of-a-half-sphere",
-    "2 pi is the solid angle of a hemisphere; a point light shines all "
-    "around."};
+    "2 pi is the solid angle of a hemisphere; a point light emits in all directions."};
 const Diagnosis half_sphere{"half-of-the-sphere",
-                            "a point light shines all around: no photon goes to one of the sides."};
+                            "a point light emits in all directions: no photon goes to one of the "
+                            "sides."};
 const Diagnosis polar_angle{"polar-angle-uniform",
                             "uniform directions have a uniform cosine, not a uniform angle: too "
                             "many go to the poles."};
@@ -38,22 +38,23 @@ const Diagnosis numbers_twice{"random-number-reused",
 const Diagnosis pi_missing{"pi-missing",
                            "radiance integrated over the hemisphere with its cosine is pi Le."};
 const Diagnosis solid_angle_of_hemisphere{"cosine-missing-in-power",
-                                          "the cosine belongs to the power: the hemisphere's "
-                                          "integral of it is pi, not 2 pi."};
+                                          "the power includes the cosine, whose integral over "
+                                          "the hemisphere is pi, not 2 pi."};
 const Diagnosis area_missing{"area-missing", "a light's power is proportional to its area."};
 const Diagnosis not_cosine{
     "directions-not-cosine-weighted",
-    "as many photons go near the horizon as straight on: a light of constant "
-    "radiance sends them in proportion to the cosine."};
+    "directions are not cosine-weighted: a light of constant radiance emits photons in "
+    "proportion to the cosine."};
 const Diagnosis not_turned{"direction-not-turned",
-                           "directions are local ones: turn them into the frame of the light's "
+                           "directions are local: transform them by a frame of the light's "
                            "normal at the point."};
 const Diagnosis meets_light{"photon-meets-its-light",
-                            "photons start behind the light's surface, by rounding, and meet it at "
-                            "once: leave() starts them beside."};
+                            "photons start behind the light's surface because of rounding, and "
+                            "hit it at once: leave() offsets their origins."};
 const Diagnosis fixed_offset{"fixed-offset",
-                             "photons start a fixed distance off the light, which is far beside a "
-                             "small one: leave() takes what rounding asks for."};
+                             "photons start at a fixed distance from the light, which is large "
+                             "compared to a small one: leave() uses an offset that rounding "
+                             "requires."};
 
 /// The azimuth of d about n, from a fixed perpendicular direction.
 double azimuth_about(PhotonVec n, PhotonVec d) {

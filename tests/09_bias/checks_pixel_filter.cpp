@@ -19,10 +19,10 @@ namespace {
 const Unsaid unsaid_filters{"filter", "weighted"};
 
 const Diagnosis not_cut_off{"filter-not-cut-off",
-                            "the filter is not 0 beyond its radius: in either direction."};
+                            "the filter is not 0 beyond its radius in x or in y."};
 const Diagnosis is_round{"filter-is-round",
-                         "the filter is that of the distance; it should be the product of a curve "
-                         "in x and one in y, and fill the square."};
+                         "the filter is a function of the distance; it should be the product of "
+                         "a curve in x and one in y, and fill the square."};
 const Diagnosis not_symmetric{"filter-not-symmetric",
                               "the filter differs on both sides of the pixel's middle: it depends "
                               "on |x| and |y|."};
@@ -34,7 +34,7 @@ const Diagnosis one_direction{"filter-normalised-in-one-direction",
 const Diagnosis radius_is_width{"radius-taken-for-width",
                                 "the filter reaches to both sides: it is two radii wide."};
 const Diagnosis cut_not_made_up{"gaussian-cut-not-made-up-for",
-                                "what is cut off of the Gaussian is missing: what is left must "
+                                "the truncated part of the Gaussian is missing: the rest must "
                                 "integrate to 1."};
 const Diagnosis not_normalised{"filter-not-normalised", "the filter does not integrate to 1."};
 const Diagnosis half_missing{"gaussian-half-missing",
@@ -43,7 +43,7 @@ const Diagnosis half_missing{"gaussian-half-missing",
 const Diagnosis sigma_unsquared{"sigma-not-squared",
                                 "the Gaussian is exp(-x^2 / (2 sigma^2)): sigma is not squared."};
 const Diagnosis lowered{"gaussian-lowered",
-                        "the Gaussian is lowered until it ends at 0; the contract cuts it off."};
+                        "the Gaussian is lowered so that it ends at 0; the contract truncates it."};
 const Diagnosis other_curve{"other-curve", "this is the curve of another filter."};
 
 const Diagnosis one_number{"one-number-for-both-offsets",
@@ -57,23 +57,23 @@ const Diagnosis offset_from_corner{"offset-from-corner",
 const Diagnosis uniform_offset{"offset-uniform",
                                "offsets are uniform: each filter is the density of its own."};
 const Diagnosis one_side{"tent-inverted-on-one-side",
-                         "one half of the tent's integral is inverted for all u: each side has a "
-                         "formula of its own."};
+                         "the inverse of one half of the tent is used for all u: each side has "
+                         "its own formula."};
 const Diagnosis inside_out{"tent-inside-out",
                            "the tent is upside down: most offsets lie far from the middle."};
 const Diagnosis jumps{"offset-not-growing",
-                      "the density is right, but the offset does not grow with u: each half runs "
-                      "the wrong way."};
+                      "the density is right, but the offset does not grow with u: each half is "
+                      "reversed."};
 const Diagnosis cut_not_inverted{"gaussian-inverted-uncut",
-                                 "the integral of the uncut Gaussian is inverted: of the cut one "
-                                 "it is larger by 1 over what is kept."};
+                                 "the integral of the untruncated Gaussian is inverted: that of "
+                                 "the truncated one is larger by 1 over the fraction kept."};
 const Diagnosis root_missing{"gaussian-root-of-2-missing",
                              "erf(x) belongs to sigma = 1/sqrt(2): x counts in units of "
                              "sigma sqrt(2)."};
 const Diagnosis coarse{"inverted-coarsely",
                        "the inversion is not exact: an approximation, or too few steps."};
 const Diagnosis leaves_square{"offset-beyond-radius",
-                              "the ends of [0, 1) lead beyond the radius, or to no number."};
+                              "the ends of [0, 1) give offsets beyond the radius, or NaN."};
 
 // Values ------------------------------------------------------------------------------------------
 

@@ -29,34 +29,34 @@ const Diagnosis pixel_upside_down{"filtered-pixels-upside-down",
                                   "y counts from the top, and so does the film's second "
                                   "coordinate."};
 const Diagnosis one_offset{"one-offset-for-all-rays",
-                           "all rays go through one place: each has an offset of its own."};
+                           "all rays go through one point: each needs its own offset."};
 const Diagnosis rays_uniform{"rays-uniform-in-square",
                              "rays are uniform in the filter's square; filtered_pixel() draws them "
                              "from the filter."};
 const Diagnosis rays_filtered{
     "weighted-rays-from-filter",
-    "offsets that are drawn from the filter are weighed by it as well: it "
-    "counts twice."};
+    "offsets that are drawn from the filter are also weighted by it: it counts twice."};
 const Diagnosis in_pixel_only{"offsets-in-pixel-only",
                               "offsets stay within the pixel; the filter reaches beyond it."};
 const Diagnosis rays_on_diagonal{"rays-on-diagonal",
                                  "across and down come from one random number."};
 const Diagnosis weighed_twice{"filter-weighed-twice",
-                              "the filter is in the rays' density; it is not to be a weight once "
-                              "more."};
+                              "the filter is already the rays' density; it must not be a weight "
+                              "as well."};
 const Diagnosis pixel_not_divided{"pixel-sum-not-mean", "the sum is returned, not the mean."};
 const Diagnosis wrong_divisor{"pixel-divided-by-other-number",
                               "the sum is not divided by the number of its rays."};
-const Diagnosis one_ray_only{"pixel-one-ray-only", "one ray decides, and the others are lost."};
+const Diagnosis one_ray_only{"pixel-one-ray-only",
+                             "only one ray is used, and the others are lost."};
 const Diagnosis not_weighed{"rays-not-weighed",
-                            "rays are not weighed by the filter: they are uniform in its square."};
+                            "rays are not weighted by the filter: they are uniform in its square."};
 const Diagnosis by_number{"weights-divided-by-number",
-                          "the weighted sum is divided by the number of rays; the sum of the "
-                          "weights is wanted."};
+                          "the weighted sum is divided by the number of rays; it should be the "
+                          "sum of the weights."};
 const Diagnosis by_area{"weights-by-known-sum",
-                        "the sum is divided by what the weights come to on average: that is "
-                        "unbiased, and another estimate. The sum of these rays' weights is "
-                        "wanted."};
+                        "the sum is divided by the expected sum of the weights: that is "
+                        "unbiased, but another estimate. Divide by the sum of these rays' "
+                        "weights."};
 const Diagnosis weights_squared{"weights-squared", "the weights are squared."};
 const Diagnosis weights_not_divided{"weights-not-divided",
                                     "the weighted sum is not divided by the sum of the weights."};
@@ -163,9 +163,9 @@ std::array<double, 4> weighed_sums(const RaysAnswer& answer, const Weight& weigh
       p = {std::clamp(p.x, -r, r), std::clamp(p.y, -r, r)};
     }
     const double w = weight(p);
-    sums[0] += w * answer.brought[i].r;
-    sums[1] += w * answer.brought[i].g;
-    sums[2] += w * answer.brought[i].b;
+    sums[0] += w * answer.radiances[i].r;
+    sums[1] += w * answer.radiances[i].g;
+    sums[2] += w * answer.radiances[i].b;
     sums[3] += w;
   }
   return sums;
@@ -199,7 +199,7 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   if (is(plain, n)) return {not_weighed};
   if (n > 1 && (is(plain, n - 1) || is(plain, n + 1))) return {wrong_divisor};
   for (const std::size_t i : {std::size_t{0}, answer.count() - 1}) {
-    const Brought& b = answer.brought[i];
+    const RayRadiance& b = answer.radiances[i];
     if (is({b.r, b.g, b.b, 1}, 1) || is({b.r, b.g, b.b, 1}, n)) return {one_ray_only};
   }
   if (!weighted) {
@@ -220,7 +220,8 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   if (is(across, across[3]) || is(down, down[3])) return {one_axis};
   const bool placed_right = answer.count() >= 64 && !all_on_film(answer) &&
                             all_offsets(answer, [&](PixelPoint p) { return within(filter, p); });
-  if (placed_right && std::abs(answer.pixel[0] - answer.brought[0].r) < 1e-4 * answer.brought[0].r)
+  if (placed_right &&
+      std::abs(answer.pixel[0] - answer.radiances[0].r) < 1e-4 * answer.radiances[0].r)
     return {other_weights};
   return {};
 }

@@ -22,14 +22,15 @@ const Diagnosis radius_late{"radius-one-pass-late",
                             "first_radius, the second a smaller one already."};
 const Diagnosis radius_shrinks_as_square{
     "square-not-rooted", "the radius shrinks by the factor that belongs to its square."};
-const Diagnosis radius_grows{"radius-grows", "the factor is upside down: the radius grows."};
+const Diagnosis radius_grows{"radius-grows", "the factor is inverted: the radius grows."};
 const Diagnosis pass_before{"pass-off-by-one",
                             "the factor is that of the pass before or after: pass is the one that "
                             "had this radius, and the first is 1."};
 const Diagnosis alpha_missing{"alpha-missing",
-                              "alpha is missing: pass/(pass + 1) is its worst case, 0."};
+                              "alpha is missing: pass/(pass + 1) is the factor for alpha = 0."};
 const Diagnosis alpha_reversed{"one-minus-alpha",
-                               "1 - alpha stands where alpha should: alpha near 1 shrinks slowly."};
+                               "1 - alpha is used instead of alpha: with alpha near 1 the radius "
+                               "shrinks slowly."};
 const Diagnosis square_returned{"square-returned", "the radius's square is returned."};
 const Diagnosis first_factor_always{"factor-of-the-first-pass",
                                     "the square shrinks by the same factor after every pass: that "
@@ -41,10 +42,10 @@ const Diagnosis radius_stays{"radius-stays", "every pass gets the first radius."
 const Diagnosis shrunk_first{"first-radius-shrunk",
                              "the first pass gets a radius that has shrunk already."};
 const Diagnosis radius_from_first{"shrunk-from-first-radius",
-                                  "every radius is made from the first one, by one factor; it "
-                                  "follows from the one before."};
+                                  "every radius is computed from the first one by one factor; it "
+                                  "should follow from the previous one."};
 const Diagnosis passes_from_zero{"passes-from-0", "the first pass is number 1, not 0."};
-const Diagnosis one_pass_number{"pass-stays", "estimate() is told the same pass every time."};
+const Diagnosis one_pass_number{"pass-stays", "estimate() gets the same pass every time."};
 const Diagnosis pass_backwards{"passes-backwards", "the last pass comes first."};
 const Diagnosis called_twice{"called-more-than-once",
                              "estimate() is called more than once a pass."};
@@ -57,11 +58,10 @@ const Diagnosis halves{"mean-of-the-last-two",
                        "each pass is averaged with all before, half and half: old passes are "
                        "forgotten."};
 const Diagnosis weighed{
-    "weighed-by-area", "passes are weighed by the area of their discs; the mean weighs all alike."};
+    "weighed-by-area",
+    "passes are weighted by the area of their discs; the mean has equal weights."};
 const Diagnosis float_sum{
-    "sum-in-float",
-    "the sum is a float, which does not grow by small numbers any more once it "
-    "is large."};
+    "sum-in-float", "the sum is a float, which small summands no longer change once it is large."};
 
 double shrinking(double pass, double alpha) {
   return (pass + alpha) / (pass + 1);
@@ -259,16 +259,16 @@ struct MeanSlip {
   glm::dvec3 mean;
 };
 
-std::vector<glm::dvec3> brought(const ProgressiveAnswer& answer) {
+std::vector<glm::dvec3> pass_radiances(const ProgressiveAnswer& answer) {
   carlo::Rng rng(answer.seed);
   std::vector<glm::dvec3> values;
   for (std::size_t i = 0; i < answer.pass.size(); ++i)
-    values.emplace_back(brought_by(static_cast<int>(i + 1), rng));
+    values.emplace_back(pass_radiance(static_cast<int>(i + 1), rng));
   return values;
 }
 
 std::vector<MeanSlip> mean_slips(const ProgressiveAnswer& answer) {
-  const std::vector<glm::dvec3> values = brought(answer);
+  const std::vector<glm::dvec3> values = pass_radiances(answer);
   const auto n = static_cast<double>(values.size());
   glm::dvec3 sum(0), folded(values[0]), areas(0);
   double area_sum = 0;

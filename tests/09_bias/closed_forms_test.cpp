@@ -1,4 +1,4 @@
-// Parts of lab 09 with closed forms: the density of photons under a point light and in a sphere,
+// Parts of lab 9 with closed forms: the density of photons under a point light and in a sphere,
 // and filters, whose weights add up to 1. Means are judged with theory's standard deviation: eight
 // z tests at |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds.
 

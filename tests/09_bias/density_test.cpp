@@ -1,4 +1,4 @@
-// Lab 09's photons, all steps together, where the answer is known: all light comes by exactly one
+// Lab 9's photons, all steps together, where the answer is known: all light comes by exactly one
 // way; and how fast the errors of shrinking discs and of paths fall.
 
 #include "bias.h"

@@ -53,30 +53,28 @@ inline std::vector<Told97> error_slips97() {
   return {
       {Slip97::root_missing,
        {"root-missing",
-        "the root of 1 - n . n' is missing: for small angles this is far too "
-        "small, for it falls as the angle's square."}},
+        "the root of 1 - n . n' is missing: for small angles this is far too small, since it "
+        "falls with the square of the angle."}},
       {Slip97::root_of_two,
        {"root-of-two", "|n - n'| is sqrt(2) times too large: 1 - n . n' is |n - n'|^2/2."}},
       {Slip97::angle_missing,
        {"normals-forgotten",
-        "what normals differ by does not count: a record would serve "
-        "around every corner."}},
-      {Slip97::place_missing, {"places-forgotten", "how far away the record is does not count."}},
+        "the difference of the normals is ignored: a record would be used around every corner."}},
+      {Slip97::place_missing, {"places-forgotten", "the distance to the record is ignored."}},
       {Slip97::angle_itself, angle},
       {Slip97::sine, angle},
       {Slip97::place_squared,
        {"squared-distance",
-        "the first summand is |p - p'| over the record's distance, and no "
-        "square of either."}},
+        "the first summand is |p - p'| over the record's distance, without squares."}},
       {Slip97::place_times_distance,
        {"multiplied-by-the-distance",
-        "|p - p'| is multiplied by the record's distance: what is far away changes slowly, and "
-        "its record reaches far."}},
+        "|p - p'| is multiplied by the record's distance; divide by it: light from far away "
+        "varies slowly."}},
       {Slip97::place_absolute,
        {"distance-not-used",
-        "|p - p'| is to be divided by the record's distance: in a scene "
-        "ten times as large the same error is ten times as far away."}},
-      {Slip97::root_of_all, {"root-of-the-sum", "only 1 - n . n' stands under the root."}},
+        "divide |p - p'| by the record's distance: in a scene ten times as large the same error "
+        "occurs ten times as far away."}},
+      {Slip97::root_of_all, {"root-of-the-sum", "only 1 - n . n' is under the root."}},
       {Slip97::larger_alone,
        {"larger-summand-alone", "both summands count: their sum, not the larger one."}}};
 }
@@ -88,30 +86,26 @@ inline std::vector<Told97> use_slips97() {
       "rounding makes holes in a plane; with more, a small record shines into hollows."};
   const carlo::Diagnosis one_normal{
       "in-front-by-one-normal",
-      "what is in front is asked along one of the two normals; it is their mean, (n + n')/2."};
+      "the test for records in front uses one of the two normals; use their mean, (n + n')/2."};
   return {{Slip97::weights_equal,
-           {"weights-equal",
-            "all records have the same weight: the better ones count more, by one "
-            "over their error."}},
+           {"weights-equal", "all records have the same weight: it should be one over the error."}},
           {Slip97::weights_squared,
            {"weights-squared", "a record's weight is 1/error, not 1/error^2."}},
           {Slip97::weights_by_error,
            {"weights-upside-down",
-            "records are weighed by their errors: the worst counts most. The "
-            "weight is one over the error."}},
+            "records are weighted by their errors: the weight is one over the error."}},
           {Slip97::best_alone,
-           {"best-record-alone", "one record decides alone: all that may serve are averaged."}},
+           {"best-record-alone", "only one record is used: average all that can be used."}},
           {Slip97::not_divided,
            {"not-divided-by-the-weights", "a weighted mean is divided by the sum of its weights."}},
           {Slip97::all_serve,
-           {"error-not-limited", "a record serves where its error is not below `most`."}},
+           {"error-not-limited", "a record is used although its error is not below `most`."}},
           {Slip97::in_front_serves,
            {"serves-from-in-front",
-            "a record that lies in front serves: it sees what the point in "
-            "the hollow does not."}},
+            "a record that lies in front is used: it may see what the point does not."}},
           {Slip97::behind_is_refused,
            {"in-front-the-wrong-way-round",
-            "records behind the point are refused, and those in front serve: (p' - p) points "
+            "records behind the point are rejected, and those in front are used: (p' - p) points "
             "from the point to the record."}},
           {Slip97::in_front_refused_at_once, room},
           {Slip97::hundredth_absolute, room},

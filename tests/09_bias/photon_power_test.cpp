@@ -23,7 +23,7 @@ struct Arrived {
   std::int64_t photons = 0;
 };
 
-/// What arrives of each photon sent, on average.
+/// Traces a million photons and returns the mean flux stored per photon.
 Arrived send(const World& world) {
   Rng rng(9);
   Arrived arrived;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-// The worlds of lab 09's photon probes, which the checks use too.
+// The worlds of lab 9's photon probes, which the checks use too.
 
 namespace lab09_photons {
 

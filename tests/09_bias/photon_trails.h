@@ -11,8 +11,8 @@
 namespace lab09_photons {
 
 inline const Diagnosis counts_itself{"counts-the-surface-itself",
-                                     "phong and specular count what the photon met before: not the "
-                                     "surface where it is stored."};
+                                     "phong and specular count the surfaces that the photon met "
+                                     "before, not the one where it is stored."};
 inline const Diagnosis phong_not_counted{"phong-not-counted",
                                          "phong does not grow at Phong surfaces."};
 
@@ -52,7 +52,7 @@ inline std::vector<Trail> trails(PhotonPlace place, const std::string& name, std
 /// The right photon number k of a trail.
 using Expected = std::function<Stored(std::size_t trail, std::size_t k)>;
 
-/// How many of the photons are wrong, in each respect.
+/// The number of photons that are wrong, in each respect.
 struct Differences {
   double p = 0, wi = 0, flux = 0, phong = 0, specular = 0, all = 0;
 

@@ -81,13 +81,13 @@ inline std::vector<PixelPoint> drawn_pairs(std::uint64_t seed) {
 constexpr int film_width = 16, film_height = 8;
 
 /// The radiances of a pixel's rays, in order: red is the same for all.
-struct Brought {
+struct RayRadiance {
   double r, g, b;
 };
-inline std::vector<Brought> drawn_radiance(std::uint64_t seed, std::int64_t rays) {
+inline std::vector<RayRadiance> drawn_radiance(std::uint64_t seed, std::int64_t rays) {
   carlo::Rng rng(seed, 4);
   const auto same = static_cast<double>(0.5f + rng.uniform_float());
-  std::vector<Brought> all;
+  std::vector<RayRadiance> all;
   for (std::int64_t i = 0; i < rays; ++i) {
     const auto g = static_cast<double>(rng.uniform_float());
     all.push_back({same, g, i % 2 == 0 ? 4.0 : 1.0});

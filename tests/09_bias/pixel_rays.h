@@ -15,7 +15,7 @@ namespace lab09_pixels {
 struct RaysAnswer {
   FilterCase filter;
   std::vector<PixelPoint> offsets;
-  std::vector<Brought> brought;
+  std::vector<RayRadiance> radiances;
   double rays = 0;
   std::array<double, 3> pixel{};
   std::vector<double> own_values;  ///< filter_value() at the offsets

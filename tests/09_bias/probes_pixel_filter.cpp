@@ -77,7 +77,7 @@ PROBE(
     "Lab 9.2 rays", "x", "y", "value",
     "(a row for each ray, n and no more; then red, green and blue of the pixel; then how many rays "
     "there were, 0 and 0)") {
-  const std::vector<Brought> brought = drawn_radiance(params.seed, params.n);
+  const std::vector<RayRadiance> radiances = drawn_radiance(params.seed, params.n);
   const lab09::PixelFilter filter = filter_of(params);
   const bool weighted = params.whole("weighted") != 0;
   carlo::Rng rng(params.seed);
@@ -89,7 +89,7 @@ PROBE(
         if (rays++ >= params.n) return carlo::Rgb(0);
         const PixelPoint p = offset_of(ray, params);
         rows.add({p.x, p.y, weighted ? lab09::filter_value(filter, p.x, p.y) : 0});
-        const Brought& b = brought[static_cast<std::size_t>(rays - 1)];
+        const RayRadiance& b = radiances[static_cast<std::size_t>(rays - 1)];
         return carlo::Rgb(b.r, b.g, b.b);
       },
       rng);

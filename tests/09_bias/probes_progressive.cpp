@@ -34,13 +34,12 @@ PROBE(
   carlo::Rng rng(params.seed);
   RowWriter rows;
   std::int64_t asked = 0;
-  const carlo::Rgb mean = lab09::progressive_mean(static_cast<int>(params.n), run.first_radius,
-                                                  run.alpha, [&](int pass, double radius) {
-                                                    if (asked < params.n)
-                                                      rows.add({static_cast<double>(pass), radius});
-                                                    ++asked;
-                                                    return brought_by(static_cast<int>(asked), rng);
-                                                  });
+  const carlo::Rgb mean = lab09::progressive_mean(
+      static_cast<int>(params.n), run.first_radius, run.alpha, [&](int pass, double radius) {
+        if (asked < params.n) rows.add({static_cast<double>(pass), radius});
+        ++asked;
+        return pass_radiance(static_cast<int>(asked), rng);
+      });
   for (std::int64_t i = asked; i < params.n; ++i)
     rows.add({0, 0});
   rows.add({static_cast<double>(asked), 0});

@@ -42,7 +42,7 @@ inline ProgressiveRun drawn_run(std::uint64_t seed) {
   return {radius, 0.6 + 0.2 * rng.uniform()};
 }
 
-inline carlo::Rgb brought_by(int pass, carlo::Rng& rng) {
+inline carlo::Rgb pass_radiance(int pass, carlo::Rng& rng) {
   return {0.1f, rng.uniform_float(), pass == 1 ? 3e7f : 1.0f};
 }
 

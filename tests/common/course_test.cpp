@@ -40,7 +40,7 @@ class Folder {
 
 std::string exercise(const std::string& tag, const std::string& points = "2") {
   return fmt::format(
-      R"({{"tag": "{}", "title": "T", "points": {}, "lecture": "L", "functions": ["f"],
+      R"({{"tag": "{}", "title": "T", "points": {}, "functions": ["f"],
           "hints": ["nudge", "plan"]}})",
       tag, points);
 }
@@ -114,8 +114,8 @@ TEST_CASE("hints that were seen are shown again, others are not", "[course]") {
   CHECK(has(hint_text(seen_hint(shown, 1, state)), "nudge"));
   CHECK(has(hint_text(seen_hints(shown, state)), "nudge"));
   CHECK_FALSE(has(hint_text(seen_hints(shown, state)), "plan"));
-  for (const int step : {-1, 0, 2, 3})
-    CHECK_THROWS_AS(seen_hint(shown, step, state), Error);
+  for (const int number : {-1, 0, 2, 3})
+    CHECK_THROWS_AS(seen_hint(shown, number, state), Error);
   CHECK(state.seen(shown) == 1);
   next_hint(shown, state);
   CHECK(has(hint_text(seen_hints(shown, state)), "nudge"));

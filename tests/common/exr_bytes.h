@@ -45,7 +45,7 @@ inline std::string exr_floats(const std::string& name, const std::string& type,
   return exr_attribute(name, type, value);
 }
 
-/// What a channel's numbers are, as OpenEXR counts them.
+/// OpenEXR's codes for the type of a channel's numbers.
 enum class ExrType { whole = 0, half = 1, single = 2 };
 
 /// `pixels`: R, G, B of each pixel of the data window, as the words that stand in the file.

@@ -46,7 +46,7 @@ TEST_CASE("A fingerprint depends on all that an image depends on, and on nothing
     change(s);
     CHECK(fingerprint(s) != before);
   }
-  // And on what an environment map shows, and on how it is turned.
+  // And on an environment map's pixels and rotation.
   const auto under_sky = [](float texel, double turn) {
     Scene s = any_scene();
     Envmap map{Image(2, 1), glm::dmat3(turn, 0, 0, 0, 1, 0, 0, 0, turn)};

@@ -1,4 +1,4 @@
-// The incomplete gamma functions and what stands on them, against Boost.Math in long double.
+// The incomplete gamma functions and what is built on them, against Boost.Math in long double.
 
 #include "stats/gamma.h"
 
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Whether a and b differ by this fraction at most; both may be below the least normal double.
+/// True if a and b differ by this fraction at most; both may be below the least normal double.
 bool close(double a, long double b, double relative) {
   const auto expected = static_cast<double>(b);
   return std::abs(a - expected) <= relative * std::abs(expected) + 1e-300;

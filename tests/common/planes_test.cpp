@@ -1,4 +1,4 @@
-// Which parallelograms share a plane: beside a search of all pairs, written from the definition.
+// Parallelograms that share a plane, compared with a search of all pairs by the definition.
 
 #include "geometry/planes.h"
 

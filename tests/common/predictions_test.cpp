@@ -20,11 +20,11 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* exercises = R"([
-  {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f"],
+  {"tag": "Lab 1.1", "title": "First", "points": 2, "functions": ["f"],
    "hints": ["nudge", "plan"],
    "predict": {"question": "Which slope?", "kind": "number", "experiment": "slopes",
                "row": {"method": "dice"}, "value": "slope"}},
-  {"tag": "Lab 1.2", "title": "Second", "points": 3, "lecture": "L", "functions": ["g"],
+  {"tag": "Lab 1.2", "title": "Second", "points": 3, "functions": ["g"],
    "hints": ["nudge", "plan"],
    "predict": {"question": "Which is worst?", "kind": "choice", "choices": ["dice", "rule"],
                "experiment": "slopes", "name": "method", "largest": "error"}}])";

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// What `work` writes to stderr, a terminal, in a separate process.
+/// Returns what `work` writes to stderr, a terminal, in a separate process.
 template <class Work>
 std::string at_terminal(const Work& work) {
   int terminal = -1;

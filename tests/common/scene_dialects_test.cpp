@@ -1,4 +1,4 @@
-// Which parts of Mitsuba's and Nori's scenes are read: loads each line of the table in
+// Tests which parts of Mitsuba's and Nori's scenes are read: loads each line of the table in
 // common/scene/README.md, and checks that the page lists everything that the loader knows.
 
 #include "course/cli/source_folder.h"

@@ -24,11 +24,11 @@ using namespace carlo;
 namespace {
 
 constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": [
-  {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f", "g"],
+  {"tag": "Lab 1.1", "title": "First", "points": 2, "functions": ["f", "g"],
    "hints": ["nudge", "plan"]},
-  {"tag": "Lab 1.2", "title": "Second", "points": 3, "lecture": "L", "functions": ["h"],
+  {"tag": "Lab 1.2", "title": "Second", "points": 3, "functions": ["h"],
    "hints": ["nudge", "plan"]},
-  {"tag": "Lab 1.3", "title": "Third", "points": 4, "lecture": "L", "functions": ["k"],
+  {"tag": "Lab 1.3", "title": "Third", "points": 4, "functions": ["k"],
    "hints": ["nudge", "plan"], "uses": ["Lab 1.1"]}]})";
 
 /// A tree with one lab.

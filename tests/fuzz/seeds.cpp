@@ -1,4 +1,4 @@
-// What we write ourselves, and words of compilers, linkers and nm, for the readers to begin with.
+// The readers' first inputs: what we write ourselves, and messages of compilers, linkers and nm.
 
 #include "fuzz/target.h"
 #include "grader/grade/record.h"
@@ -20,7 +20,7 @@ const Params params{.seed = 7, .n = 100, .numbers = {{"k", 2.5}, {"tiny", 5e-324
 }  // namespace
 
 std::vector<std::string> exr_seeds() {
-  // Of no image's format: once every reader that OpenImageIO has was asked for it.
+  // In no image format: it once made OpenImageIO try every reader that it has.
   using namespace std::string_literals;
   return {
       "\x2f\x76\x31\x01\x17\x3f\x67\xb9\xa0\x90\x39\x1b\x1b"

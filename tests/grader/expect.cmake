@@ -3,7 +3,7 @@
 # Runs the judge and compares its verdicts with what they must be:
 #   without all these        the untouched stub: every exercise "not implemented", no points
 #   with EXERCISE            a typical mistake: this exercise fails with the DIAGNOSIS; with the
-#                            diagnosis "crash" its program is ended; with ALONE no other is told
+#                            diagnosis "crash" its program is ended; with ALONE no other is reported
 #   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is

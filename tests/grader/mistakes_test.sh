@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# mistakes_test.sh SOURCE: tables of mistakes are read as their reader's head promises, and what is wrong
-# in one is told with its line.
+# mistakes_test.sh SOURCE: tables of mistakes are read as their reader (mistakes.awk) documents, and
+# errors in one are reported with their lines.
 set -euo pipefail
 reader=$(readlink -f "$1")/tests/grader/mistakes.awk
 scratch=$(mktemp -d)
@@ -35,7 +35,7 @@ mistake() { printf '== Lab 1.2 %s: off-by-one\nOne is missing.\n%s\n\n' "$1" "${
 # in_file: the table of these entries.
 in_file() { printf '= solutions/01_sum/steps/sum.cpp\n\n' && cat; }
 
-# puts NAME SED: this mistake leads to what sed makes of the solution.
+# puts NAME SED: the solution with this mistake equals the solution edited by this sed script.
 puts() {
   "$reader" put put.cpp "$table" "$1" || fail "$1 was refused"
   sed "$2" solutions/01_sum/steps/sum.cpp | diff - put.cpp || fail "$1 has another text"
@@ -68,7 +68,7 @@ read_and_put() {
     diff - listed || fail "the list differs"
 }
 
-# What has the right text already is left alone.
+# Files that already have the right text are not touched.
 unchanged_files_stay() {
   "$reader" put_all out "$table"
   touch -d 2001-01-01 out/*/steps/sum.cpp

@@ -18,7 +18,7 @@ cd "$tree"
 
 # Passes over kinds ---------------------------------------------------------------------------------
 
-# FILE|WHAT ITS LINE HOLDS|why no kind is forgotten there.
+# FILE|TEXT OF THE LINE|why no kind is forgotten there.
 reasons='
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
 common/scene/duplicate_lights.cpp|holds_alternative<Mesh>|a kind that this does not know is compared whole: MiddleOf must know it
@@ -27,7 +27,6 @@ common/scene/duplicate_lights.cpp|get_if<Mesh>|only meshes have triangles
 common/scene/duplicate_lights.cpp|holds_alternative<Parallelogram>|only these two kinds are compared as triangles
 common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, which throws
 solutions/renderer/lanes/lane_sdf.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
-solutions/renderer/lanes/sdf_bends.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.envmap = |<emitter type="envmap">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">

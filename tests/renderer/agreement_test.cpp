@@ -1,11 +1,11 @@
 // Three integrators that share no line of light transport agree, on every tile of every scene: lab
-// 08's solution by recursion as in the lecture, corrected (trace_path(), or trace_specular()), lab
-// 08's solution in a loop (path_radiance()), and the reference renderer.
+// 8's solution by recursion as in the lecture, corrected (trace_path(), or trace_specular()), lab
+// 8's solution in a loop (path_radiance()), and the reference renderer.
 //
 // The lecture's estimator must have finite variance: with lights that have an area and surfaces
 // that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1) and is survived with
 // probability kd + ks; ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes, and the radiances that
-// paths meet are bounded. Lab 08 refuses point lights, which no direction meets, and no scene has
+// paths meet are bounded. Lab 8 refuses point lights, which no direction meets, and no scene has
 // them; it also refuses the environment map of `image_light`, which is left out here.
 // trace_specular() replaces trace_path() in three scenes: in `caustics` and `procedural`, since
 // trace_path() does not support mirrors and glass; and in `highlights`, where the variance is
@@ -174,7 +174,7 @@ TEST_CASE("Recursive, iterative and reference integrator agree on every tile of 
   REQUIRE(lab_scenes::names().size() >= 13);
   for (const std::string& name : scene_names()) {
     const Scene scene = lab_scenes::load(name);
-    if (needs(scene).envmap) continue;  // lab 08 does not support an image as a light
+    if (needs(scene).envmap) continue;  // lab 8 does not support an image as a light
     const Estimates e = estimate(scene, plan_of(name));
     check_agreement(name, "recursive, iterative", e.recursive, e.iterative);
     check_agreement(name, "recursive, reference", e.recursive, e.reference);

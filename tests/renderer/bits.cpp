@@ -64,7 +64,7 @@ std::string digest_of(const RenderResult& result) {
         add(digest, sums.sum[c]), add(digest, sums.squares[c]);
     }
   }
-  add(digest, result.light_path_ties);
+  add(digest, result.splat_covariance);
   const Counts& counts = result.counts;
   digest.add(fmt::format("{} {} {} {} {}", counts.paths, counts.rays, counts.light_paths,
                          counts.cut, counts.bad));

@@ -195,7 +195,7 @@ struct Spread {
 /// one from the image, weighted by the power heuristic, or both as the ground reflects.
 Spread reflected(const Scene& scene, bool by_image) {
   const renderer::Lights lights(scene);
-  const renderer::Receiver here{{}, {0, 1, 0}};
+  const renderer::ShadingPoint here{{}, {0, 1, 0}};
   Rng rng(7);
   const auto cosine_weighted = [&](bool competes) {
     const float x = rng.uniform_float();

@@ -1,4 +1,4 @@
-// Tests lab 08's solution as an integrator, as used by `./carlo render --mine`, against the
+// Tests lab 8's solution as an integrator, as used by `./carlo render --mine`, against the
 // reference renderer, and what it refuses.
 
 #include "scene_renderer/lab_integrator.h"

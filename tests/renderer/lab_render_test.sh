@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` with lab 08: the solution's program
-# renders each kind of scene; the stub's program, and scenes that lab 08 does not support, give one
+# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` with lab 8: the solution's program
+# renders each kind of scene; the stub's program, and scenes that lab 8 does not support, give one
 # line, exit code 1, and no file.
 set -euo pipefail
 solution=$1 stub=$2 scenes=$3/common/scenes
@@ -18,7 +18,7 @@ expect_image() {
   done
   grep -q "kernel .*$kernel" "$scratch/stdout" || complain "not by $kernel: $*"
   grep -q '"bad_samples": 0' "$scratch/image/a.json" || complain "bad samples for: $*"
-  # Lab 08 does not count its rays, so a report must not claim that there were none.
+  # Lab 8 does not count its rays, so a report must not claim that there were none.
   grep -q '"rays": null' "$scratch/image/a.json" || complain "rays for: $*"
 }
 
@@ -34,7 +34,7 @@ expect_error 'Lab 8\.7 is not implemented yet: run ./carlo hint 8.7' "$stub" "$b
 expect_error 'does not support mirrors or glass' "$solution" "$scenes/caustics.xml" --method recursive
 expect_error 'end after 4 segments' "$solution" "$box" --max-depth 4 --method direct
 expect_error 'method' "$solution" "$box" --method best
-# How to stop, to go on and to share out is the reference renderer's.
+# Stopping at a target, resuming and sharding are the reference renderer's alone.
 for option in target-error=.1 resume=a.exr shard=1/2 slurm; do
   expect_error "there is no option --${option%%=*}" "$solution" "$box" "--$option"
 done

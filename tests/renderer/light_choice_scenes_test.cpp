@@ -258,7 +258,7 @@ Mesh tiled_square(std::uint32_t count, float height) {
   return mesh;
 }
 
-// Of the sixteenth of choices shared equally by all lights, a mesh gets the part of one, however
+// A sixteenth of the choices is shared equally by all lights; a mesh counts as one of them, however
 // many triangles it has.
 TEST_CASE("A light is seen beside a hidden mesh of many triangles that shines") {
   for (const std::uint32_t count : {1U, 4U, 32U, 256U}) {

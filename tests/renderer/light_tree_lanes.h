@@ -10,7 +10,7 @@ namespace renderer {
 struct LightChoices {
   std::vector<float> px, py, pz, nx, ny, nz, u;
   std::vector<std::uint32_t> word, light;
-  std::vector<float> chance, again;
+  std::vector<float> probability, again;
 };
 
 }  // namespace renderer

@@ -44,18 +44,19 @@ HWY_ATTR void choose_lights(const LaneLightTree& tree, LightChoices& c) {
     const Picked picked = pick_in_tree(tree, p, n, hn::LoadU(du_, &c.word[i]), all, u);
     hn::StoreU(u, d_, &c.u[i]);
     hn::StoreU(picked.index, du_, &c.light[i]);
-    hn::StoreU(picked.chance, d_, &c.chance[i]);
-    hn::StoreU(chances_in_tree(tree, picked.index, p, n, all), d_, &c.again[i]);
+    hn::StoreU(picked.probability, d_, &c.probability[i]);
+    hn::StoreU(probabilities_in_tree(tree, picked.index, p, n, all), d_, &c.again[i]);
   }
 }
 
 /// The probabilities of c.light.
-HWY_ATTR void chances_of(const LaneLightTree& tree, LightChoices& c) {
+HWY_ATTR void probabilities_of(const LaneLightTree& tree, LightChoices& c) {
   const M all = hn::FirstN(d_, lanes);
   for (std::size_t i = 0; i < c.light.size(); i += lanes) {
     const V3 p{hn::LoadU(d_, &c.px[i]), hn::LoadU(d_, &c.py[i]), hn::LoadU(d_, &c.pz[i])};
     const V3 n{hn::LoadU(d_, &c.nx[i]), hn::LoadU(d_, &c.ny[i]), hn::LoadU(d_, &c.nz[i])};
-    hn::StoreU(chances_in_tree(tree, hn::LoadU(du_, &c.light[i]), p, n, all), d_, &c.again[i]);
+    hn::StoreU(probabilities_in_tree(tree, hn::LoadU(du_, &c.light[i]), p, n, all), d_,
+               &c.again[i]);
   }
 }
 
@@ -66,7 +67,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace renderer {
 HWY_EXPORT(choose_lights);
-HWY_EXPORT(chances_of);
+HWY_EXPORT(probabilities_of);
 
 namespace {
 
@@ -113,12 +114,12 @@ LightChoices at(Vec3d p, Vec3d n, std::size_t count) {
 }
 
 /// The probabilities of all lights.
-std::vector<double> chances_at(const LaneLightTree& tree, Vec3d p, Vec3d n) {
+std::vector<double> probabilities_at(const LaneLightTree& tree, Vec3d p, Vec3d n) {
   const std::size_t count = tree.leaf_of.size();
   LightChoices c = at(p, n, (count + most_lanes - 1) / most_lanes * most_lanes);
   for (std::size_t i = 0; i < count; ++i)
     c.light[i] = static_cast<std::uint32_t>(i);
-  HWY_DYNAMIC_DISPATCH(chances_of)(tree, c);
+  HWY_DYNAMIC_DISPATCH(probabilities_of)(tree, c);
   return {c.again.begin(), c.again.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("Many lights are chosen in lanes as often as their probabilities say")
       INFO(count << " lights, scale " << scale << ", place " << place);
       std::vector<std::uint32_t> first;
       instruction_sets::on_all([&] {
-        std::vector<double> expected = chances_at(tree, p, n);
+        std::vector<double> expected = probabilities_at(tree, p, n);
         const double sum = std::accumulate(expected.begin(), expected.end(), 0.0);
         CHECK(sum < 1 + 1e-5);
         const double least = *std::min_element(expected.begin(), expected.end());
@@ -149,17 +150,17 @@ TEST_CASE("Many lights are chosen in lanes as often as their probabilities say")
         double u = 0;
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < draws; ++i) {
-          const bool some = c.chance[i] > 0;
+          const bool some = c.probability[i] > 0;
           ++counts.at(some ? c.light[i] : expected.size());
           u += some ? static_cast<double>(c.u[i]) : 0.5;
-          wrong +=
-              c.u[i] < 0 || c.u[i] >= 1 || (some && std::abs(c.chance[i] / c.again[i] - 1) > 1e-6f);
+          wrong += c.u[i] < 0 || c.u[i] >= 1 ||
+                   (some && std::abs(c.probability[i] / c.again[i] - 1) > 1e-6f);
         }
         CHECK(wrong == 0);
         // The rest up to 1: all lights of a node that was chosen are out of sight.
         expected.push_back(std::max(1 - sum, 0.0));
-        for (double& chance : expected)
-          chance *= draws;
+        for (double& probability : expected)
+          probability *= draws;
         CHECK(carlo::pooled_goodness(counts, expected).p > alpha);
         // Standard error: .0007; u is stratified, which makes it less.
         CHECK(std::abs(u / draws - 0.5) < 0.004);
@@ -187,7 +188,7 @@ TEST_CASE("Where none of many lights can contribute, lanes choose one evenly or 
     const std::vector<float> u = c.u;
     HWY_DYNAMIC_DISPATCH(choose_lights)(tree, c);
     for (std::size_t i = 0; i < u.size(); ++i)
-      CHECK(c.chance[i] == (u[i] < 1.0f / 16 ? 1.0f / 16 / 200 : 0.0f));
+      CHECK(c.probability[i] == (u[i] < 1.0f / 16 ? 1.0f / 16 / 200 : 0.0f));
   });
 }
 

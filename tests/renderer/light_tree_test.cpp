@@ -1,5 +1,5 @@
-// The choice of a light: sample() agrees with chance(), no light is left out, and estimates are
-// close to the lights' actual contributions.
+// The choice of a light: sample() agrees with probability(), no light is left out, and estimates
+// are close to the lights' actual contributions.
 //
 // Error rates. Frequencies are tested by chi-square at alpha = 1e-4 with 2e5 numbers for each of 24
 // sets of lights; seeds are fixed, another would fail somewhere with probability 2.4e-3. Power: a
@@ -88,11 +88,11 @@ Here random_place(Rng& rng, const SomeLights& some) {
 }
 
 /// The probabilities of all lights; the rest up to 1 is where sample() gives nothing.
-std::vector<double> chances_at(const LightTree& tree, std::size_t count, const Here& here) {
-  std::vector<double> chances;
+std::vector<double> probabilities_at(const LightTree& tree, std::size_t count, const Here& here) {
+  std::vector<double> probabilities;
   for (std::uint32_t i = 0; i < count; ++i)
-    chances.push_back(tree.chance(i, here.p, here.n));
-  return chances;
+    probabilities.push_back(tree.probability(i, here.p, here.n));
+  return probabilities;
 }
 
 TEST_CASE("Lights are chosen as often as their chances say, and what is left of u is uniform") {
@@ -105,7 +105,7 @@ TEST_CASE("Lights are chosen as often as their chances say, and what is left of 
                           std::array{1e-4, 1.0, 1e6}[static_cast<std::size_t>(set % 3)]);
     const LightTree tree(some.lights, some.around);
     const Here here = random_place(rng, some);
-    std::vector<double> expected = chances_at(tree, some.count(), here);
+    std::vector<double> expected = probabilities_at(tree, some.count(), here);
     expected.push_back(1 - std::accumulate(expected.begin(), expected.end(), 0.0));
     std::vector<double> counts(expected.size()), rest(cells);
     double chosen = 0;
@@ -113,7 +113,7 @@ TEST_CASE("Lights are chosen as often as their chances say, and what is left of 
       const auto choice = tree.sample(here.p, here.n, rng.uniform());
       ++counts[choice ? choice->light : some.count()];
       if (!choice) continue;
-      CHECK(std::abs(choice->chance / expected[choice->light] - 1) <= 1e-9);
+      CHECK(std::abs(choice->probability / expected[choice->light] - 1) <= 1e-9);
       REQUIRE((choice->u >= 0 && choice->u < 1));
       ++rest[static_cast<std::size_t>(choice->u * cells)];
       ++chosen;
@@ -177,14 +177,15 @@ TEST_CASE("Chances of a millionth are lengths of intervals of u") {
       left = right;
     }
     for (std::uint32_t i = 0; i < some.count(); ++i) {
-      const double chance = tree.chance(i, here.p, here.n);
+      const double probability = tree.probability(i, here.p, here.n);
       const double base =
           some.count() == 1 ? 0 : LightTree::floor / static_cast<double>(some.count());
-      small += chance > base && chance - base < 1e-4 ? 1 : 0;
+      small += probability > base && probability - base < 1e-4 ? 1 : 0;
       // An interval shorter than the grid's step may be missed: by no more than that.
-      const double missed = chance - base < 1.0 / grid ? 1.0 / grid : 1e-9;
-      INFO("set " << set << ", light " << i << ": " << intervals.length[i] << " for " << chance);
-      CHECK(std::abs(intervals.length[i] - chance) <= missed);
+      const double missed = probability - base < 1.0 / grid ? 1.0 / grid : 1e-9;
+      INFO("set " << set << ", light " << i << ": " << intervals.length[i] << " for "
+                  << probability);
+      CHECK(std::abs(intervals.length[i] - probability) <= missed);
     }
   }
   CHECK(small >= 10);
@@ -200,10 +201,10 @@ TEST_CASE("Chances sum to 1 or less, by what sample() fails, and none is below i
     const double floor = LightTree::floor / static_cast<double>(some.count());
     for (int k = 0; k < places; ++k) {
       const Here here = random_place(rng, some);
-      const std::vector<double> chances = chances_at(tree, some.count(), here);
-      const double sum = std::accumulate(chances.begin(), chances.end(), 0.0);
+      const std::vector<double> probabilities = probabilities_at(tree, some.count(), here);
+      const double sum = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
       CHECK(sum <= 1 + 1e-9);
-      CHECK(*std::min_element(chances.begin(), chances.end()) >= std::min(floor, 1.0));
+      CHECK(*std::min_element(probabilities.begin(), probabilities.end()) >= std::min(floor, 1.0));
       // If nothing fails in 1000 draws, at most 1 % does, except with probability 4e-5.
       int failed = 0;
       for (int i = 0; i < 1000; ++i)
@@ -222,9 +223,9 @@ TEST_CASE("Lights in one place, one light, and lights where the point is, are ch
       for (const dvec3 n : {dvec3(0, 0, 1), dvec3(0, 0, -1)}) {
         double sum = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-          const double chance = tree.chance(i, p, n);
-          CHECK(chance >= std::min(1.0, LightTree::floor / static_cast<double>(count)));
-          sum += chance;
+          const double probability = tree.probability(i, p, n);
+          CHECK(probability >= std::min(1.0, LightTree::floor / static_cast<double>(count)));
+          sum += probability;
         }
         CHECK(sum <= 1 + 1e-9);
         for (const double u : {0.0, LightTree::floor, .5, 1 - 0x1p-53}) {
@@ -232,7 +233,7 @@ TEST_CASE("Lights in one place, one light, and lights where the point is, are ch
           if (!choice) continue;
           CHECK(choice->light < count);
           CHECK((choice->u >= 0 && choice->u < 1));
-          CHECK(choice->chance > 0);
+          CHECK(choice->probability > 0);
         }
       }
     }
@@ -297,7 +298,7 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
         const double brings = renderer::estimate_irradiance(some.lights[i], here.p, here.n);
         if (!(brings > 1e-3 * all) || !middle_faces(some.lights[i], here)) continue;
         ++bright;
-        CHECK(tree.chance(i, here.p, here.n) > floor);
+        CHECK(tree.probability(i, here.p, here.n) > floor);
       }
     }
   }

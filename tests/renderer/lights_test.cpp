@@ -151,7 +151,7 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
   scene.materials.emplace_back();
   scene.shapes = shapes;
   const Lights lights(scene);
-  const renderer::Receiver here{{}, {0, 0, 1}};
+  const renderer::ShadingPoint here{{}, {0, 0, 1}};
   const Intersector geometry(scene);
   Rng rng(4);
   std::vector<int> seen(shapes.size());
@@ -178,7 +178,7 @@ TEST_CASE("beyond() is the density with which sample() gives a direction to the 
     map.image.pixels[i] = Rgb(static_cast<float>(i % 5));
   scene.lights.envmap = map;
   const Lights lights(scene);
-  const renderer::Receiver here{{}, {0, 0, 1}};
+  const renderer::ShadingPoint here{{}, {0, 0, 1}};
   Rng rng(6);
   int seen = 0, elsewhere = 0;
   double irradiance = 0;

@@ -125,7 +125,7 @@ Scene prepared(Scene scene, int side) {
   return scene;
 }
 
-/// Uses lab 08's path tracer, with other random numbers.
+/// Uses lab 8's path tracer, with other random numbers.
 Other lab_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   const std::uint32_t spp = std::max(512u, r.spp / 8 / 512 * 512);
   const auto integrator =
@@ -134,7 +134,7 @@ Other lab_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   return compared(fmt::format("lab 08, {} samples", spp), r, lab.image, lab.error);
 }
 
-/// Uses the scalar path tracer, for scenes that lab 08 does not support.
+/// Uses the scalar path tracer, for scenes that lab 8 does not support.
 Other scalar_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   const std::uint32_t spp = std::max(512u, r.spp / 4 / 512 * 512);
   const auto integrator = renderer::make_path_integrator(

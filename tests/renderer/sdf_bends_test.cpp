@@ -1,9 +1,8 @@
 // Bounds of second derivatives along lines, against second differences of F and closed forms.
 
-#include "renderer/lanes/sdf_bends.h"
-
 #include "geometry/sphere_tracer.h"
 #include "random/rng.h"
+#include "renderer/lanes/lane_sdf.h"
 #include "scene/sdf.h"
 #include "sdf_cases.h"
 #include "sdf_places.h"

@@ -1,5 +1,5 @@
-// Where rays meet signed distance functions in lanes, on all instruction sets of this machine:
-// judged by F alone and compared with the SphereTracer.
+// Tests where rays meet signed distance functions in lanes, on all instruction sets of this
+// machine: judges hits by F alone and compares them with the SphereTracer's.
 
 #include "sdf_lanes.h"
 

@@ -5,8 +5,8 @@
 
 #include "instruction_sets.h"
 #include "random/rng.h"
+#include "renderer/lanes/lane_plan.h"
 #include "renderer/lanes/lane_scene.h"
-#include "renderer/lanes/lane_touching.h"
 #include "scene/scene.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -70,20 +70,20 @@ HWY_ATTR void store(const Hits& hits, M clear, TriedRay* rays) {
 }
 
 /// Tries each shape in the order of the numbers.
-HWY_ATTR void try_all(const LaneScene& s, const Register& r, const Segments& way, Hits& hits,
+HWY_ATTR void try_all(const LaneScene& s, const Register& r, const Segments& segments, Hits& hits,
                       M& clear) {
   const V of_origin = coordinates(r.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
-    meet_flat<true, Outline::quad>(s, i, r.from, r.d, of_origin, hits);
-    clear = hn::AndNot(flat_blocks<true, Outline::quad>(s, i, way, of_origin), clear);
+    intersect_flat<true, Outline::quad>(s, i, r.from, r.d, of_origin, hits);
+    clear = hn::AndNot(flat_occludes<true, Outline::quad>(s, i, segments, of_origin), clear);
   }
   for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i) {
-    meet_flat<true, Outline::disk>(s, i, r.from, r.d, of_origin, hits);
-    clear = hn::AndNot(flat_blocks<true, Outline::disk>(s, i, way, of_origin), clear);
+    intersect_flat<true, Outline::disk>(s, i, r.from, r.d, of_origin, hits);
+    clear = hn::AndNot(flat_occludes<true, Outline::disk>(s, i, segments, of_origin), clear);
   }
   for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i) {
-    meet_sphere<true>(s, i, r.from, r.d, of_origin, hits);
-    clear = hn::AndNot(sphere_blocks<true>(s, i, way), clear);
+    intersect_sphere<true>(s, i, r.from, r.d, of_origin, hits);
+    clear = hn::AndNot(sphere_occludes<true>(s, i, segments), clear);
   }
 }
 
@@ -93,13 +93,13 @@ HWY_ATTR void find_both(const LaneScene& s, Found& found) {
     const Register r = load(&found.by_tree[i]);
     // Lanes without a ray hold numbers that are none.
     const M wanted = hn::Eq(r.d.x, r.d.x);
-    const Segments way{r.from, r.d, add_scaled(r.from.o, r.length, r.d), r.length,
-                       set_word(nothing)};
-    store(closest<true, true>(s, r.from, r.d, wanted), unoccluded<true, true>(s, way, wanted),
+    const Segments segments{r.from, r.d, add_scaled(r.from.o, r.length, r.d), r.length,
+                            set_word(nothing)};
+    store(closest<true, true>(s, r.from, r.d, wanted), unoccluded<true, true>(s, segments, wanted),
           &found.by_tree[i]);
     Hits hits{set(longest), set_word(nothing)};
     M clear = wanted;
-    try_all(s, r, way, hits, clear);
+    try_all(s, r, segments, hits, clear);
     store(hits, clear, &found.by_all[i]);
   }
 }

@@ -31,7 +31,7 @@ if [ "$attackers" != 0 ]; then
 fi
 for ((i = 0; i < right; ++i)); do take "right_$i" "${labs[i % ${#labs[@]}]}"; done
 
-# Of the whole catalogue, evenly spaced.
+# Mistakes of the whole catalogue, evenly spaced.
 reader=$source/tests/grader/mistakes.awk
 mapfile -t mistakes < <("$reader" list - "$source"/tests/*/mistakes/*.txt | LC_ALL=C sort)
 for ((i = 0; i < mistaken; ++i)); do

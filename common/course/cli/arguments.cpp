@@ -85,7 +85,7 @@ struct Held<std::vector<T>> {
 template <class One>
 std::string expected() {
   if constexpr (std::is_floating_point_v<One>) return "a number";
-  // What is beyond the largest is a whole number from 0 as well.
+  // A number beyond the largest is described as a whole number from 0, too.
   if constexpr (std::is_unsigned_v<One>)
     return fmt::format("a whole number from 0 to {}", std::numeric_limits<One>::max());
   return std::is_integral_v<One> ? "a whole number" : "text";

@@ -30,7 +30,7 @@ class Argument {
   Argument existing_folder();
   /// Accepts a list in one word, its values separated by `separator`; several words only if `more`.
   Argument list(char separator, bool more = true);
-  /// How many words follow, and their names in --help.
+  /// The number of words that follow, and their names in --help.
   Argument words(int least, int most);
   Argument type_name(const std::string& name);
   Argument excludes(Argument other);
@@ -49,7 +49,7 @@ class Argument {
 /// letter is a value only in "--name=value". Words after "--" are positional only.
 ///
 /// Not a library: every student's first verdict waits until this is compiled, and a library took
-/// longer than anything else there.
+/// most of that time.
 class CommandLine {
  public:
   /// `program` is the command that a user types to start it.

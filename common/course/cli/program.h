@@ -15,10 +15,10 @@ std::vector<char*> pointers(const std::vector<std::string>& words);
 /// Returns a path to this program's file as it was started. Throws Error if there is none.
 std::string own_path();
 
-/// What a started program gets. Descriptors: -1 means ours.
+/// The environment of a started program. Descriptors: -1 means ours.
 struct ProgramStart {
   int input = -1, output = -1, error = -1;
-  int notices = -1;           ///< descriptor 3, for what is told beside the others; -1: not given
+  int notices = -1;           ///< descriptor 3, a further output; -1: not given
   bool own_group = false;     ///< a process group of its own, with no signal blocked
   bool ends_with_us = false;  ///< it is killed when this thread ends; on Linux alone
 };

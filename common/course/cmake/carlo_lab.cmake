@@ -10,10 +10,9 @@
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<name>,
 #                                                     lab01_worker_variant_<name>
-# What is judged is compiled once more, with the library's own checks: an index outside of a vector
-# or a span ends the program. And a local variable without a start value begins with a huge number
-# (NaN with clang), not with the 0 that happens to stand on a fresh stack. The experiments, which are
-# timed, run without these.
+# Code to be judged is compiled again, with the library's own checks: an index outside a vector or a
+# span ends the program. And an uninitialised local variable holds a huge number (NaN with clang), not
+# the 0 that happens to be on a fresh stack. The experiments, which are timed, run without these.
 # The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and contains no implementation.
 # Parts that a tree does not have (solutions/, tests/) are left out.
 
@@ -52,10 +51,10 @@ function(carlo_lab_implementation target folder sources)
     list(REMOVE_ITEM uses carlo::strict)
     target_link_libraries(${target} PRIVATE carlo::strict)
   endif()
-  target_link_libraries(${target} PUBLIC carlo::build carlo::course ${uses})
+  target_link_libraries(${target} PUBLIC carlo::build carlo::missing_return ${uses})
   if(NOT CARLO_SANITIZE)
     # A function that ends without returning its value reports the line
-    # (common/course/missing_return.cpp).
+    # (common/course/guide/missing_return.cpp).
     target_compile_options(${target} PRIVATE -fsanitize=return)
   endif()
 endfunction()
@@ -91,9 +90,9 @@ endfunction()
 option(CARLO_MISTAKES "Build the labs' typical mistakes and variants and test how each is judged" ON)
 
 # The mistakes of a lab (KIND "mistake") or its variants ("variant"), in the global property
-# lab01_mistakes or lab01_variants: a list of lines as tests/grader/mistakes.awk lists them. They stand in
-# tests/FOLDER/mistakes/*.txt and tests/FOLDER/variants.txt. CMake runs anew where the list changes, not
-# for other changes of a table.
+# lab01_mistakes or lab01_variants: a list of lines as tests/grader/mistakes.awk lists them, from
+# tests/FOLDER/mistakes/*.txt and tests/FOLDER/variants.txt. CMake runs again if the list changes, not
+# after other changes of a table.
 function(carlo_lab_mistaken lab folder kind)
   set(at "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s")
   file(GLOB tables CONFIGURE_DEPENDS "${at}.txt" "${at}/*.txt")
@@ -108,7 +107,7 @@ function(carlo_lab_mistaken lab folder kind)
     endif()
     add_custom_command(OUTPUT "${list}" COMMAND "${reader}" list "${list}" ${tables}
                        DEPENDS "${reader}" ${tables} COMMENT "Listing the ${kind}s of lab ${folder}" VERBATIM)
-    # By itself: what a target depends on is built before its files are, here before CMake runs.
+    # A target of its own: its dependencies are built before its files, here before CMake runs.
     add_custom_target(${lab}_${kind}s_listed DEPENDS "${list}")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${list}")
     file(STRINGS "${list}" lines ENCODING UTF-8)
@@ -116,8 +115,8 @@ function(carlo_lab_mistaken lab folder kind)
   set_property(GLOBAL PROPERTY ${lab}_${kind}s "${lines}")
 endfunction()
 
-# One step of the build for each table: it writes what of the mistaken solutions has changed. A place
-# that does not fit the solution any more fails it.
+# One step of the build for each table: it writes those solutions with mistakes that have changed. It
+# fails if a change no longer fits the solution.
 function(carlo_lab_put_mistakes folder kind lines)
   set(reader "${PROJECT_SOURCE_DIR}/tests/grader/mistakes.awk")
   set(themes "")
@@ -254,7 +253,7 @@ function(add_lab folder name)
   if(probes)
     carlo_lab_part(${lab}_probes ${folder} SOURCES ${probes}
                    DEPENDS ${uses} carlo::grader_worker)
-    # Lab 01's programs compute little, and everybody's first verdict waits for their compilation.
+    # Lab 1's programs compute little, and everybody's first verdict waits for their compilation.
     if(number STREQUAL "01")
       target_link_libraries(${lab}_probes PRIVATE carlo::unhurried)
     endif()

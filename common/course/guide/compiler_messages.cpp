@@ -27,8 +27,8 @@ struct Located {
   std::string rest;
 };
 
-/// Takes a number and the colon behind it off the front; returns 0 if they are not there.
-std::size_t take_number(std::string_view& text) {
+/// Removes a number and the colon behind it from the front and returns it; 0 if they are not there.
+std::size_t strip_number(std::string_view& text) {
   std::size_t number = 0;
   const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), number);
   const auto digits = static_cast<std::size_t>(end - text.data());
@@ -43,17 +43,17 @@ std::optional<Located> located(std::string_view line) {
   if (colon == std::string_view::npos || line.front() == ' ') return std::nullopt;
   place.file = line.substr(0, colon);
   std::string_view rest = line.substr(colon + 1);
-  place.line = take_number(rest);
+  place.line = strip_number(rest);
   if (place.line == 0) return std::nullopt;
-  place.column = take_number(rest);
+  place.column = strip_number(rest);
   while (!rest.empty() && rest.front() == ' ')
     rest.remove_prefix(1);
   place.rest = rest;
   return place;
 }
 
-/// Takes `word` from the front.
-bool take(std::string& text, std::string_view word) {
+/// Removes `word` from the front; returns false if it is not there.
+bool strip_prefix(std::string& text, std::string_view word) {
   if (text.rfind(word, 0) != 0) return false;
   text.erase(0, word.size());
   return true;
@@ -236,7 +236,7 @@ class Reader {
   void take_line(const std::string& line) {
     if (line.empty() || linker(line)) return;
     if (is_excerpt(line)) {
-      // A note's excerpt is dropped: only the place of the complaint itself counts.
+      // A note's excerpt is dropped: only the complaint's own line counts.
       if (wants_excerpt_ && messages_.back().excerpt.size() < 2)
         messages_.back().excerpt.push_back(line);
       return;
@@ -249,10 +249,11 @@ class Reader {
       return;
     }
     place->file = relative(place->file);
-    const bool error = take(place->rest, "error: ") || take(place->rest, "fatal error: ");
-    if (error || take(place->rest, "warning: ")) {
+    const bool error =
+        strip_prefix(place->rest, "error: ") || strip_prefix(place->rest, "fatal error: ");
+    if (error || strip_prefix(place->rest, "warning: ")) {
       complaint(*place, error);
-    } else if (take(place->rest, "note: ")) {
+    } else if (strip_prefix(place->rest, "note: ")) {
       // Clang names the line that led to the complaint below it.
       if (!messages_.empty() && place->rest.find("requested here") != std::string::npos)
         blame(messages_.back(), *place);

@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// One complaint of the compiler or the linker.
+/// One message of the compiler or the linker.
 struct CompilerMessage {
   enum class Whose {
     own,       ///< in a file that a student writes

@@ -54,7 +54,6 @@ static void fields(JsonFields& json, Exercise& exercise) {
   text(json, "tag", exercise.tag);
   text(json, "title", exercise.title);
   positive(json, "points", exercise.points);
-  text(json, "lecture", exercise.lecture);
   texts(json, "functions", exercise.functions);
   texts(json, "hints", exercise.hints);
   if (json.has("uses")) texts(json, "uses", exercise.uses);

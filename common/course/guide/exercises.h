@@ -12,7 +12,6 @@ struct Exercise {
   std::string tag;
   std::string title;
   int points = 0;
-  std::string lecture;                 ///< section of the lecture
   std::vector<std::string> functions;  ///< what the student writes
   std::vector<std::string> hints;      ///< from a nudge to nearly the formula
   std::vector<std::string> uses = {};  ///< tags of earlier exercises that its code may call

@@ -36,13 +36,13 @@ int lab_of(const std::string& number) {
 }
 
 std::string heading(const Exercise& exercise) {
-  return fmt::format("{}: {} (lecture: {})\n", exercise.tag, exercise.title, exercise.lecture);
+  return fmt::format("{}: {}\n", exercise.tag, exercise.title);
 }
 
 /// Formats the hint without its exercise.
 std::string body(const Hint& hint, const std::string& remark) {
-  return fmt::format("hint {} of {}{}\n\n{}\n", hint.step, hint.count, remark,
-                     hint.exercise->hints[static_cast<std::size_t>(hint.step - 1)]);
+  return fmt::format("hint {} of {}{}\n\n{}\n", hint.number, hint.count, remark,
+                     hint.exercise->hints[static_cast<std::size_t>(hint.number - 1)]);
 }
 
 std::string remark(const Hint& hint, Help help) {
@@ -110,17 +110,17 @@ Hint next_hint(const Exercise& exercise, HintState& state) {
                            : Hint::More::another};
 }
 
-Hint seen_hint(const Exercise& exercise, int step, const HintState& state) {
+Hint seen_hint(const Exercise& exercise, int number, const HintState& state) {
   const int count = static_cast<int>(exercise.hints.size());
-  if (step < 1 || step > count) {
-    throw Error("{} has hints 1 to {}, got {}", exercise.tag, count, step);
+  if (number < 1 || number > count) {
+    throw Error("{} has hints 1 to {}, got {}", exercise.tag, count, number);
   }
   const int seen = std::min(state.seen(exercise), count);
-  if (step > seen) {
-    throw Error("hint {} of {} has not been seen yet; ./carlo hint {} shows hint {}", step,
+  if (number > seen) {
+    throw Error("hint {} of {} has not been seen yet; ./carlo hint {} shows hint {}", number,
                 exercise.tag, exercise.number(), seen + 1);
   }
-  return {&exercise, step, count};
+  return {&exercise, number, count};
 }
 
 std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state) {
@@ -131,8 +131,8 @@ std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state) {
                 exercise.number());
   }
   std::vector<Hint> list;
-  for (int step = 1; step <= seen; ++step)
-    list.push_back({&exercise, step, count});
+  for (int number = 1; number <= seen; ++number)
+    list.push_back({&exercise, number, count});
   return list;
 }
 
@@ -143,7 +143,7 @@ std::string hint_text(const Hint& hint, Help help) {
 std::string hint_text(const std::vector<Hint>& hints) {
   std::string out = heading(*hints.front().exercise);
   for (const Hint& hint : hints)
-    out += (hint.step > 1 ? "\n" : "") + body(hint, "");
+    out += (hint.number > 1 ? "\n" : "") + body(hint, "");
   return out;
 }
 

@@ -10,7 +10,7 @@
 
 namespace carlo {
 
-/// Gives hints one step at a time and keeps which have been seen in a small JSON file ({"hints":
+/// Gives hints one at a time and remembers how many have been seen in a small JSON file ({"hints":
 /// {"1.2": 1}}), created if it does not exist.
 class HintState {
  public:
@@ -32,9 +32,9 @@ const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& t
 /// A hint as it is shown.
 struct Hint {
   const Exercise* exercise = nullptr;
-  int step = 1;   ///< from 1
-  int count = 1;  ///< of the exercise
-  /// What the text says about the hints after this one.
+  int number = 1;  ///< from 1
+  int count = 1;   ///< of the exercise's hints
+  /// The text's last line about further hints.
   enum class More { unsaid, another, none_left, was_the_last } more = More::unsaid;
 };
 
@@ -42,8 +42,9 @@ struct Hint {
 /// Error if the exercise has none.
 Hint next_hint(const Exercise& exercise, HintState& state);
 
-/// Returns hint `step` (from 1) again. Throws Error if it has not been seen yet or does not exist.
-Hint seen_hint(const Exercise& exercise, int step, const HintState& state);
+/// Returns hint `number` (from 1) again. Throws Error if it has not been seen yet or does not
+/// exist.
+Hint seen_hint(const Exercise& exercise, int number, const HintState& state);
 
 /// Returns all hints that have been seen. Throws Error if none has.
 std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state);

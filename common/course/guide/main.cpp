@@ -25,7 +25,7 @@ namespace {
 struct Options {
   fs::path root = ".";
   std::string exercise;  ///< hint
-  int step = 0, lab = 0;
+  int number = 0, lab = 0;
   bool all = false, json = false, next = false;
   std::string file;          ///< explain: the build's log
   std::size_t messages = 3;  ///< explain
@@ -39,7 +39,7 @@ void hint(const Options& options, bool one) {
   HintState seen(options.state("hints.json"));
   const Exercise& exercise = find_exercise(labs, options.exercise);
   std::string text = options.all ? hint_text(seen_hints(exercise, seen))
-                     : one       ? hint_text(seen_hint(exercise, options.step, seen))
+                     : one       ? hint_text(seen_hint(exercise, options.number, seen))
                                  : hint_text(next_hint(exercise, seen));
   // A student's tree has the slides' formulas but not the slides.
   if (text.find("(slides ") != std::string::npos && fs::exists(options.labs() / "formulas.md")) {
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     };
     CommandLine hints = verb("hint", "show the next hint for an exercise");
     hints.option("exercise", options.exercise, "which exercise, such as 1.2").required();
-    const Argument one = hints.option("step", options.step, "show this earlier hint again");
+    const Argument one = hints.option("number", options.number, "show this earlier hint again");
     hints.flag("--all", options.all, "show all hints that were seen").excludes(one);
     CommandLine how_far = verb("status", "what is done, what is next");
     how_far.option("lab", options.lab, "this lab alone");

@@ -13,7 +13,7 @@ namespace carlo {
 /// NN_name/name.cpp or, for a lab in steps, NN_name/steps/*.cpp in order.
 std::vector<std::filesystem::path> own_files(const std::filesystem::path& labs, const Lab& lab);
 
-/// Whether a path, relative to the tree, is such a file of some lab.
+/// True if a path, relative to the tree, is such a file of some lab.
 bool is_own_file(const std::filesystem::path& relative);
 
 /// A snapshot of a student's files of one lab, split into exercises: an exercise's part runs from

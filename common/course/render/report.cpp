@@ -93,8 +93,7 @@ double shared_passes(const Film& film) {
 }
 
 /// The covariances of the image's pixels caused by light paths, summed over all pairs: each
-/// block of each tile contributes those of its pass; where blocks are missing, the existing passes
-/// stand in for them.
+/// block of each tile contributes those of its pass; existing passes stand in for missing blocks.
 double covariance_of_light_paths(const RenderResult& result) {
   const Film& film = result.film;
   const double pixels = 1.0 * film.width() * film.height();
@@ -105,26 +104,26 @@ double covariance_of_light_paths(const RenderResult& result) {
       blocks += film.blocks(x, y);
   }
   const double of_a_pass = film.block() * pixels;
-  return result.light_path_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
+  return result.splat_covariance.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
 }
 
 /// The variance that light paths which reach several pixels add to the image's mean. Assumes
 /// that the channels are correlated as the luminance is; an upper bound with Sobol' points.
-std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
+std::array<double, 3> splat_variance(const RenderResult& result, const MeanRadiance& mean) {
   const double all = luminance(mean.value);
-  if (!(all > 0) || result.counts.light_path_ties == 0) return {};
+  if (!(all > 0) || result.counts.splat_covariance == 0) return {};
   const double relative = covariance_of_light_paths(result) / (all * all);
-  std::array<double, 3> ties{};
+  std::array<double, 3> variance{};
   for (std::size_t c = 0; c < 3; ++c)
-    ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
-  return ties;
+    variance[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
+  return variance;
 }
 
 }  // namespace
 
 MeanRadiance mean_of(const RenderResult& result) {
   MeanRadiance mean = mean_radiance(result.film);
-  const std::array<double, 3> more = ties(result, mean);
+  const std::array<double, 3> more = splat_variance(result, mean);
   for (std::size_t c = 0; c < 3; ++c)
     mean.standard_error[c] = std::hypot(mean.standard_error[c], std::sqrt(more[c]));
   return mean;
@@ -136,7 +135,7 @@ RenderReport make_report(const Scene& scene, const std::string& file, const Inte
   report.scene = file;
   report.kernel = integrator.name();
   report.seed = seed;
-  report.expect_asks(integrator.least_light_chance());
+  report.expect_light_samples(integrator.least_light_probability());
   report.needs = describe(needs(scene));
   report.sampler = name_of(scene.sampler);
   report.max_depth = scene.max_depth;
@@ -160,8 +159,8 @@ RenderReport make_report(const RenderResult& result) {
   return report;
 }
 
-void RenderReport::expect_asks(double least_light_chance) {
-  light_asks = expected_light_samples(least_light_chance, spp, width, height);
+void RenderReport::expect_light_samples(double least_light_probability) {
+  light_samples = expected_light_samples(least_light_probability, spp, width, height);
 }
 
 /// Before anything is rendered: an image of another size, or one that makes all errors NaN.
@@ -198,7 +197,7 @@ ReferenceReport compare_with_reference(const RenderResult& result, const std::st
   const Image exact(image.width, image.height);
   report.bias_z = bias_z(image, result.film.standard_error(), reference.image,
                          reference.standard_error ? *reference.standard_error : exact,
-                         ties(result, mean_radiance(result.film)));
+                         splat_variance(result, mean_radiance(result.film)));
   report.efficiency = 1 / (report.error.mse * result.seconds);
   report.notes = reference.notes;
   return report;
@@ -236,12 +235,12 @@ ReportLines to_lines(const RenderReport& r) {
     for (const std::string& note : r.reference->notes)
       line("note", note);
   }
-  if (r.light_asks && *r.light_asks < enough_light_samples) {
+  if (r.light_samples && *r.light_samples < enough_light_samples) {
     line("lights",
          fmt::format("some are sampled only about {:.2g} times in a pixel's neighbourhood; where "
                      "stronger lights are occluded, their light may be missing from the image and "
                      "from its error estimate",
-                     *r.light_asks));
+                     *r.light_samples));
   }
   if (r.counts.cut > 0) {
     line("WARNING", fmt::format("{} paths were cut at the maximum length: the image is too dark",
@@ -298,7 +297,7 @@ static void fields(JsonFields& json, RenderReport& r) {
   json.also("mean", list(r.mean.value));
   json.also("standard_error", list(r.mean.standard_error));
   json.also("relative_pixel_error", r.relative_error);
-  if (r.light_asks) json.also("least_light_asks", *r.light_asks);
+  if (r.light_samples) json.also("least_light_samples", *r.light_samples);
   json("reference", r.reference);
   for (const auto& more : r.fields)
     more(json);

@@ -43,16 +43,16 @@ struct RenderReport {
   MeanRadiance mean;
   double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
   /// expected_light_samples() (light_coverage.h) where samples are fewest; nothing if unknown.
-  std::optional<double> light_asks;
+  std::optional<double> light_samples;
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<ReferenceReport> reference;
   // Additions by the command.
   ReportLines behind_image, behind_error;
   std::vector<std::function<void(JsonFields&)>> fields;
 
-  /// Sets light_asks, from Integrator::least_light_chance, for the same number of samples in all
-  /// pixels.
-  void expect_asks(double least_light_chance);
+  /// Sets light_samples, from Integrator::least_light_probability, for the same number of samples
+  /// in all pixels.
+  void expect_light_samples(double least_light_probability);
 };
 
 /// Returns the image's mean and its standard error, including the covariances of paths that reach

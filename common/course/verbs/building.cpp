@@ -1,21 +1,81 @@
 #include "course/verbs/building.h"
 
-#include "course/verbs/build_progress.h"
+#include "course/cli/descriptor.h"
+#include "course/verbs/words.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
+#include "support/number.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace carlo::verbs {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Shows a build's progress as reported by ninja ("@done/total seconds ..."): in one line on a
+/// terminal, elsewhere as one line every ten seconds.
+class BuildProgress {
+ public:
+  BuildProgress();
+  /// Shows the progress that a line of ninja reports; returns false if it reports none.
+  bool show(const std::string& line);
+  /// Clears the terminal's line.
+  void clear();
+
+ private:
+  bool terminal_, shown_ = false;
+  int last_second_ = 0;  ///< when a line was last printed, in seconds of the build
+};
+
+/// Returns ", about 3 min left" for a build of which `done` of `total` steps took `seconds`; ""
+/// while that would be a guess.
+std::string time_left(int done, int total, int seconds) {
+  if (seconds < 3 || done < 5) return "";
+  const int left = seconds * (total - done) / done;
+  if (left < 90) return joined({", about ", std::to_string(left / 10 * 10 + 10), " s left"});
+  return joined({", about ", std::to_string((left + 30) / 60), " min left"});
+}
+
+BuildProgress::BuildProgress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+bool BuildProgress::show(const std::string& line) {
+  if (line.empty() || line[0] != '@') return false;
+  // "@DONE/TOTAL SECONDS what"
+  const std::size_t slash = line.find('/'), blank = line.find(' ');
+  if (slash > blank || blank == std::string::npos) return false;
+  const std::string_view text = line;
+  const auto done = number_of<int>(text.substr(1, slash - 1));
+  const auto total = number_of<int>(text.substr(slash + 1, blank - slash - 1));
+  const std::string_view rest = text.substr(blank + 1);
+  const auto whole_seconds = number_of<int>(rest.substr(0, rest.find_first_not_of("0123456789")));
+  if (!done || !total || !whole_seconds) return false;
+  const int second = *whole_seconds;
+  const std::string text_now = joined({"carlo: building ", std::to_string(*done), "/",
+                                       std::to_string(*total), time_left(*done, *total, second)});
+  if (terminal_) {
+    shown_ = true;
+    say({"\r\x1b[K", text_now});
+  } else if (second - last_second_ >= 10) {
+    last_second_ = second;
+    say({text_now, "\n"});
+  }
+  return true;
+}
+
+void BuildProgress::clear() {
+  if (shown_) say({"\r\x1b[K"});
+  shown_ = false;
+}
 
 /// Shortens a path relative to the current folder.
 std::string from_here(const fs::path& path) {
@@ -24,7 +84,7 @@ std::string from_here(const fs::path& path) {
   return text.starts_with(here) ? text.substr(here.size()) : text;
 }
 
-/// Whether a line of the build log is a command run by ninja or a message of ninja itself.
+/// True if a line of the build log is a command run by ninja or a message of ninja itself.
 bool is_command(const std::string& line) {
   if (line.starts_with("ninja: ") || line.starts_with("FAILED: ")) return true;
   const std::string program = fs::path(line.substr(0, line.find(' '))).filename();
@@ -108,12 +168,22 @@ void Building::build(const Words& targets, const Words& keep) {
   std::string said;
   BuildProgress progress;
   const int code = run_listening(command, {.notices = STDERR_FILENO}, [&](const std::string& line) {
-    if (!progress.takes(line)) (said += line) += '\n';
+    if (!progress.show(line)) (said += line) += '\n';
   });
   progress.clear();
   if (code != 0) failed(code, said);
   // Our code has no warnings (they are errors); a student's are shown.
   if (said.find("warning:") != std::string::npos) explain(said);
+}
+
+void Building::build_behind(const Words& targets) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  Words command = in_turn();
+  (command += {"--behind", "ninja", "-k", "0", "-C", folder_}) += targets;
+  start_program(
+      command,
+      {.input = nowhere.get(), .output = nowhere.get(), .error = nowhere.get(), .own_group = true});
 }
 
 void Building::failed(int code, const std::string& said) {

@@ -28,6 +28,9 @@ class Building {
   /// For verbs that only read: does not wait for another process's build if the program is up to
   /// date.
   void build_unless_there(const std::string& target);
+  /// Goes on building in the background, while the user reads, what is asked for next; any other
+  /// build ends it. Only where somebody sits at a terminal: a script would find the folder busy.
+  void build_behind(const Words& targets);
   /// Compiles the vector kernel for all machines, from now on in every build.
   void every_instruction_set();
   /// Runs CMake, which looks again for newly installed libraries.

@@ -10,7 +10,7 @@
 
 namespace carlo::verbs {
 
-/// What all verbs work with.
+/// The context of all verbs.
 struct Course {
   Tree tree;
   std::string preset;  ///< CARLO_PRESET, by default release
@@ -36,6 +36,10 @@ class Verb {
 /// ./carlo. A render stopped by Ctrl-C has written its finished samples, and 130 is returned.
 int run_students_code(Course& course, const LabFolder& lab, const std::string& verb,
                       const std::string& program, const Words& arguments);
+
+/// Builds in the background what a student of this lab asks for next: the judge, the experiments,
+/// hints and status.
+void build_what_comes_next(Course& course, const LabFolder& lab);
 
 /// Returns the value behind words[i] and moves i there. Throws Error that names the verb's help.
 std::string value_behind(const Words& words, std::size_t& i, const std::string& verb);

@@ -64,6 +64,11 @@ int run_students_code(Course& course, const LabFolder& lab, const std::string& v
         "\n  To find the line (the first build takes minutes): CARLO_PRESET=debug ./carlo ", verb});
 }
 
+void build_what_comes_next(Course& course, const LabFolder& lab) {
+  course.building.build_behind({lab.program("_judge"), lab.program("_worker"), "carlo_course",
+                                lab.program(), "carlo_watch"});
+}
+
 static int lab(Course& course, const Words& words) {
   if (words.empty()) {
     course.tree.print_help("lab");
@@ -83,7 +88,9 @@ static int lab(Course& course, const Words& words) {
       fail({"this tree has no solution of ", lab_name(folder)});
     program = folder.program("_solution");
   }
-  return run_students_code(course, folder, lab_name(folder), program, arguments);
+  const int code = run_students_code(course, folder, lab_name(folder), program, arguments);
+  build_what_comes_next(course, folder);
+  return code;
 }
 
 static int status(Course& course, const Words& words) {
@@ -111,6 +118,7 @@ static int hint(Course& course, const Words& words) {
   Words command = list_of(
       {course.building.program("carlo_course"), "hint", "--root", course.tree.root, exercise.text});
   if (all_first) command += {"--all"};
+  build_what_comes_next(course, exercise.lab);
   throw HandOver{command += behind(words, at + 1)};
 }
 

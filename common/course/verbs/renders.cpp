@@ -16,10 +16,10 @@ static int render(Course& course, const Words& words) {
     if (word != "--mine") arguments.push_back(word);
     elsewhere = elsewhere || word.starts_with("--slurm") || word.starts_with("--shard");
   }
-  // With the student's lab 08.
+  // With the student's lab 8.
   if (mine) {
     if (!fs::exists(tree.root / "labs/08_path_tracer"))
-      fail({"this tree has no renderer: it is what lab 08 builds"});
+      fail({"this tree has no renderer: it is what lab 8 builds"});
     return run_students_code(course, tree.lab("8"), "render --mine", "lab08_render", arguments);
   }
   // Other machines may need instruction sets other than the widest of this one.

@@ -38,8 +38,8 @@ int exit_code_of(pid_t child) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// Whether a killed process left the folder: not written to for a day, and no process has its
-/// number.
+/// True if a killed process left the folder behind: not written to for a day, and no process has
+/// its number.
 bool is_forgotten(const fs::path& folder) {
   using namespace std::chrono_literals;
   std::error_code ec;

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-// How a verb starts other programs, and how it ends.
+// Starting other programs from a verb, and ending a verb.
 
 namespace carlo::verbs {
 
@@ -28,7 +28,7 @@ struct HandOver {
 /// ignored.
 void outlive_signals();
 
-/// Whether Ctrl-C was pressed.
+/// True if Ctrl-C was pressed.
 bool interrupted();
 
 /// Runs a program to its end. Returns its exit code, or 128 + the signal's number if a signal ended
@@ -45,7 +45,7 @@ int run_gathering(const Words& command, const ProgramStart& how, std::string& sa
 int run_listening(const Words& command, const ProgramStart& how,
                   const std::function<void(const std::string& line)>& said);
 
-/// Whether a program of that name is in PATH.
+/// True if a program of that name is in PATH.
 bool is_installed(const std::string& program);
 
 /// A folder below BUILD/run for this process, removed at its end: for copies of the programs that

@@ -21,7 +21,7 @@ struct SlidesWishes {
   bool help = false;
 };
 
-/// Whether `word` names a deck: 4, 04 or 4a.
+/// True if `word` names a deck: 4, 04 or 4a.
 bool is_deck(const std::string& word) {
   const bool letter = !word.empty() && word.back() >= 'a' && word.back() <= 'z';
   return is_number(letter ? word.substr(0, word.size() - 1) : word, 2);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,16 +15,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the command line asks for.
+/// The requests of the command line.
 struct TestWishes {
   std::vector<LabFolder> labs;
   Words exercises;  ///< as typed
   Words options;    ///< for the judge
   std::string page_option = "--failure-page", page;
+
+  /// Whether it is nothing but labs.
+  bool are_plain() const { return exercises.empty() && options.empty() && page_option != "--page"; }
 };
 
 std::string count_of(const Words& exercises) {
   return std::to_string(exercises.size());
+}
+
+/// A student's first question is answered without the judge, whose compilation she would wait for:
+/// compiles her file, which nobody has touched yet, and says so. Returns whether it did.
+bool is_answered_early(Course& course, const LabFolder& lab) {
+  const std::string judge = lab.program("_judge");
+  if (fs::exists(course.building.program(judge)) || !course.tree.is_untouched(lab)) return false;
+  course.building.build({lab.program("_worker")});
+  const std::string number = std::to_string(lab.number());
+  std::printf(
+      "Lab %s compiles, and all its %d exercises are not implemented yet: 0 points\n"
+      "Nothing done yet: start with Lab %s.1, ./carlo hint %s.1\n",
+      number.c_str(), course.tree.exercises(lab), number.c_str(), number.c_str());
+  return true;
 }
 
 /// Judges a lab and saves the verdicts for ./carlo status, unless the files were edited while they
@@ -38,7 +56,10 @@ bool judge(Course& course, const LabFolder& lab, const Words& options) {
   if (course.tree.own_text(lab) == before)
     command += {"--book", course.tree.root / ".carlo/verdicts.json"};
   const int code = run(command += options);
-  if (!interrupted()) return code == 0;
+  if (!interrupted()) {
+    build_what_comes_next(course, lab);
+    return code == 0;
+  }
   say({"\ncarlo: stopped while judging lab ", std::to_string(lab.number()), ": no new verdicts\n"});
   throw Leave{130};
 }
@@ -78,6 +99,10 @@ bool test_labs(Course& course, const TestWishes& wishes) {
   const std::vector<LabFolder> labs = wishes.labs.empty() ? course.tree.labs() : wishes.labs;
   if (!wishes.page.empty() && labs.size() != 1)
     fail({"--page FILE is for one lab, got ", std::to_string(labs.size())});
+  if (labs.size() == 1 && wishes.are_plain() && is_answered_early(course, labs[0])) {
+    build_what_comes_next(course, labs[0]);
+    return false;
+  }
   bool all = true;
   for (const LabFolder& lab : labs)
     all = judge(course, lab, with_page(wishes, lab.digits())) && all;
@@ -91,7 +116,7 @@ std::string processors() {
   return said.substr(0, said.find('\n'));
 }
 
-/// Whether ctest's options choose among all tests.
+/// True if ctest's options choose among all tests.
 bool chooses(const Words& options) {
   return std::any_of(options.begin(), options.end(), [](const std::string& word) {
     return word.starts_with("-R") || word.starts_with("-L") || word.starts_with("-C") ||

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace carlo::verbs {
@@ -30,7 +31,19 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// Whether `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
+/// The number of functions to write, of all exercises of a lab.json.
+int functions_in(const std::string& lab_json) {
+  constexpr std::string_view member = "\"functions\": [";
+  int quotes = 0;
+  for (std::size_t at = 0; (at = lab_json.find(member, at)) != std::string::npos;) {
+    at += member.size();
+    const std::string list = lab_json.substr(at, lab_json.find(']', at) - at);
+    quotes += count(list, "\"");
+  }
+  return quotes / 2;
+}
+
+/// True if `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
 bool is_exercise_number(const std::string& typed) {
   const std::size_t point = typed.find('.');
   return is_number(typed.substr(0, point), 2) &&
@@ -89,13 +102,32 @@ std::string Tree::own_text(const LabFolder& lab) const {
   return text;
 }
 
+int Tree::exercises(const LabFolder& lab) const {
+  return count(read_file(lab_json(lab)), "\"tag\": \"Lab ");
+}
+
+bool Tree::is_untouched(const LabFolder& lab) const {
+  std::istringstream own(own_text(lab));
+  std::string before;
+  int untouched = 0;
+  for (std::string line; std::getline(own, line);) {
+    line.erase(std::min(line.find("//"), line.size()));
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (line.empty()) continue;
+    if (line.find("not_implemented(\"Lab ") != std::string::npos && before.ends_with('{'))
+      ++untouched;
+    before = line;
+  }
+  return untouched == functions_in(read_file(lab_json(lab)));
+}
+
 ExerciseNumber Tree::exercise(const std::string& typed) const {
   const std::string number = typed.starts_with("Lab ") ? typed.substr(4) : typed;
   if (!is_exercise_number(number)) fail({"an exercise is a number such as 1.2, got '", typed, "'"});
   const std::size_t point = number.find('.');
   const LabFolder folder = lab(number.substr(0, point));
   const std::string of = std::to_string(folder.number()) + ".";
-  const int last = count(read_file(lab_json(folder)), "\"tag\": \"Lab ");
+  const int last = exercises(folder);
   const std::string all = joined({of, "1 to ", of, std::to_string(last)});
   if (point == std::string::npos)
     fail({"which exercise of lab ", std::to_string(folder.number()), "? There are ", all});

@@ -27,7 +27,7 @@ struct ExerciseNumber {
 struct Tree {
   std::filesystem::path root;
 
-  /// Whether it holds all solutions, and so is the whole suite. A student's tree has at most those
+  /// True if it holds all solutions, and so is the whole suite. A student's tree has at most those
   /// of earlier labs.
   bool has_solutions() const;
   /// Throws Error, which says that a student's tree comes without `without`, unless it has the
@@ -42,6 +42,11 @@ struct Tree {
   std::filesystem::path lab_json(const LabFolder& lab) const;
   /// Returns the text of all files that a student writes in a lab.
   std::string own_text(const LabFolder& lab) const;
+  /// The number of exercises.
+  int exercises(const LabFolder& lab) const;
+  /// Whether the body of every function that a student writes in a lab is still nothing but its
+  /// not_implemented line.
+  bool is_untouched(const LabFolder& lab) const;
   /// Finds the exercise for 1.2 or "Lab 1.2". Throws Error that lists the available exercises.
   ExerciseNumber exercise(const std::string& typed) const;
 

@@ -43,7 +43,7 @@ void say(Parts parts);
 bool is_one_of(const std::string& word, Parts words);
 bool is_one_of(const std::string& word, const Words& words);
 bool asks_for_help(const std::string& word);
-/// Whether a word consists of 1 to `most` digits.
+/// True if a word consists of 1 to `most` digits.
 bool is_number(const std::string& word, std::size_t most);
 int as_number(const std::string& digits);
 

@@ -18,6 +18,10 @@ bool ExerciseResult::passed(Aspect aspect) const {
          });
 }
 
+bool ExerciseResult::right_by_itself() const {
+  return status != Status::passed && by_itself && by_itself->status == Status::passed;
+}
+
 double LabResult::earned() const {
   return std::accumulate(
       exercises.begin(), exercises.end(), 0.0,

@@ -62,23 +62,34 @@ struct TestRecord {
   bool lacks_line = false;     ///< a crash whose line is not known
 };
 
+/// An exercise judged once more, with the suite's versions of those that it builds on and that are
+/// not right: a mistake there costs no points here.
+struct ByItself {
+  Status status = Status::failed;
+  double points = 0;
+  std::vector<std::string> replaced;  ///< tags of these exercises
+};
+
 /// One exercise: all its test cases, and their result.
 struct ExerciseResult {
   std::string tag, title;
   Status status = Status::failed;
-  double points = 0;
+  double points = 0;  ///< of the better judgement
   int max = 0;
   std::vector<TestRecord> tests;
   std::vector<Diagnosis> diagnoses;  ///< those shown, likeliest first
   std::vector<std::string> unsound;  ///< tags of those it builds on that are not right
   std::vector<std::string> missing;  ///< its functions that tests found not done, as in lab.json
   bool begun = false;                ///< not done, but partly written
+  std::optional<ByItself> by_itself = std::nullopt;  ///< the second judgement, if there was one
 
   /// Returns "1.2": the tag as typed on a command line.
   std::string number() const { return tag.substr(4); }
   /// Return whether there are tests of this aspect, and whether all of them passed.
   bool has(Aspect aspect) const;
   bool passed(Aspect aspect) const;
+  /// Whether it earns all its points by the second judgement alone.
+  bool right_by_itself() const;
 };
 
 struct LabResult {

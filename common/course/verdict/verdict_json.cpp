@@ -46,6 +46,12 @@ static void fields(JsonFields& json, TestRecord& test) {
   json("verdicts", test.verdicts);
 }
 
+static void fields(JsonFields& json, ByItself& judgement) {
+  json.named("status", judgement.status, to_string, status_named);
+  json("points", judgement.points);
+  json("replaced", judgement.replaced);
+}
+
 void fields(JsonFields& json, ExerciseResult& result) {
   json("tag", result.tag);
   if (!result.tag.starts_with("Lab ")) {
@@ -59,6 +65,7 @@ void fields(JsonFields& json, ExerciseResult& result) {
   json("unsound", result.unsound);
   json("missing", result.missing);
   json("begun", result.begun);
+  json("by_itself", result.by_itself);
   json("tests", result.tests);
   for (TestRecord& test : result.tests)
     test.tag = result.tag;

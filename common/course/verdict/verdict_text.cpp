@@ -81,7 +81,7 @@ std::string failed_test(const TestRecord& test, const std::string& locate) {
 }
 
 std::string heading(const ExerciseResult& result, std::size_t titles) {
-  const bool passed = result.status == Status::passed;
+  const bool passed = result.status == Status::passed || result.right_by_itself();
   const bool open = result.status == Status::not_implemented;
   const std::string mark = passed ? coloured(Colour::green, "✓")
                            : open ? coloured(Colour::yellow, "–")
@@ -163,6 +163,7 @@ std::string failed_tests(const ExerciseResult& result) {
 /// Names exercises that this one builds on and that are not right yet.
 std::string unsound_ground(const ExerciseResult& result) {
   std::string out;
+  if (result.by_itself) return fmt::format("    {}\n", by_itself_text(result));
   for (const std::string& tag : result.unsound) {
     out += fmt::format("    {} is not right yet, and your code calls it: fix that first\n", tag);
   }
@@ -223,6 +224,8 @@ std::string details(const ExerciseResult& result, bool tests, Help help) {
 
 std::string exercise_text(const ExerciseResult& result, std::size_t titles, bool verbose) {
   std::string out = heading(result, titles);
+  if (result.right_by_itself())
+    return out + "\n" + unsound_ground(result) + (verbose ? whole_tests(result) : "");
   const bool open = result.status == Status::not_implemented;
   if (open && !result.begun) return fmt::format("{}  {}\n", out, open_text(result, Help::typed));
   out += "\n";
@@ -258,9 +261,22 @@ std::string advice(const LabResult& result) {
 
 std::string shortfall(const ExerciseResult& result, Help help) {
   if (result.status == Status::passed) return "";
+  if (result.right_by_itself()) return unsound_ground(result);
   if (result.begun) return begun_text(result, true, help);
   if (result.status == Status::not_implemented) return "    " + open_text(result, help) + "\n";
   return details(result, true, help);
+}
+
+std::string by_itself_text(const ExerciseResult& result) {
+  const std::string others = joined(result.by_itself->replaced);
+  const bool several = result.by_itself->replaced.size() > 1;
+  if (result.right_by_itself()) {
+    return fmt::format("{} is right by itself; {}, which it calls, {} not", result.number(), others,
+                       several ? "are" : "is");
+  }
+  return fmt::format(
+      "{} {} not right yet; with the suite's in place of yours, this is not {}either", others,
+      several ? "are" : "is", result.by_itself->points > 0 ? "all right " : "right ");
 }
 
 std::string message(const ExerciseResult& result) {

@@ -17,6 +17,9 @@ std::string report_text(const LabResult& result, bool verbose = false);
 /// colour as above.
 std::string shortfall(const ExerciseResult& result, Help help = Help::typed);
 
+/// Says, in one sentence, what the second judgement found; there must be one.
+std::string by_itself_text(const ExerciseResult& result);
+
 /// Says what went wrong in one line; empty if it passed.
 std::string message(const ExerciseResult& result);
 

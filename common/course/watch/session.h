@@ -28,8 +28,8 @@ struct WatchPlaces {
 };
 
 /// One student at one lab: builds and judges an exercise whenever the files have changed, and
-/// reports the result. Knows nothing of terminals; its owner waits for the child's output, for
-/// files and for keys.
+/// reports the result. Independent of terminals: its owner waits for the child's output, for files
+/// and for keys.
 class WatchSession {
  public:
   WatchSession(WatchPlaces places, const Lab& lab);

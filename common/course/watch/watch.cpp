@@ -87,7 +87,7 @@ std::string faded(const std::string& text) {
   return out;
 }
 
-/// What the user sees: a redrawn screen, or lines.
+/// Shows the session: on a redrawn screen, or as lines.
 class Display {
  public:
   explicit Display(bool whole_screen) : whole_screen_(whole_screen) {}

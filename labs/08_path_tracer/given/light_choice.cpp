@@ -17,7 +17,7 @@ LightChoice::LightChoice(std::span<const LightWeight> weights) {
   for (const LightWeight& weight : weights) {
     if (weight.share > 0 && weight.share < 0x1p-22) {
       throw carlo::Error(
-          "lab 08 chooses among up to 4194304 lights: too many shapes emit, or a mesh that emits has "
+          "lab 8 chooses among up to 4194304 lights: too many shapes emit, or a mesh that emits has "
           "too many triangles");
     }
     power += weight.power;

@@ -35,11 +35,11 @@ carlo::Scene checked(carlo::Scene scene) {
   (void)environment;  // World::environment()
   if (envmap) {
     throw carlo::Error(
-        "lab 08 does not support environment maps: use the reference renderer, or a "
+        "lab 8 does not support environment maps: use the reference renderer, or a "
         "constant environment");
   }
   if (!points.empty()) {
-    throw carlo::Error("lab 08 does not support point lights: use an area light");
+    throw carlo::Error("lab 8 does not support point lights: use an area light");
   }
   return scene;
 }

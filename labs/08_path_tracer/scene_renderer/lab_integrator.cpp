@@ -108,7 +108,7 @@ std::unique_ptr<carlo::Integrator> make_lab_integrator(const Scene& scene,
     case carlo::SamplerKind::sobol:
       return std::make_unique<LabIntegrator<carlo::SobolSampler>>(scene, options);
   }
-  throw carlo::Error("lab 08 does not know the sampler {}", carlo::name_of(scene.sampler));
+  throw carlo::Error("lab 8 does not know the sampler {}", carlo::name_of(scene.sampler));
 }
 
 }  // namespace lab08

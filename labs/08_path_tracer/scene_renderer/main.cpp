@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
                      "(Lab 8.7)")
               .one_of({"iterative", "recursive", "direct"})
               .show_default();
-          app.footer("The image is your own lab 08's.");
+          app.footer("The image is your own lab 8's.");
         });
   });
 }

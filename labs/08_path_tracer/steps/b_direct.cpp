@@ -27,7 +27,8 @@ Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rn
 Rgb direct_by_hemisphere(const World& world, const Surface& surface, const Brdf& f, Rng& rng) {
   // 1. A cosine-weighted direction (lab 7), turned from the normal's frame into the world.
   // 2. A ray in this direction that leaves the surface without meeting it again.
-  // 3. What it meets emits towards you, or does not; where it meets nothing there is no light.
+  // 3. The surface that it meets emits towards you, or does not; if it meets nothing there is no
+  //    light.
   // 4. The integrand of the hemisphere form over the density; cancel what cancels by hand.
   carlo::not_implemented("Lab 8.2", "Monte Carlo Path Tracer");
 }

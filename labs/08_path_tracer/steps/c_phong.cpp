@@ -17,7 +17,7 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
   // 1. Below the horizon: 0.
   // 2. The mirror direction of wo, in the world.
   // 3. cos^n(alpha): 0 from 90 degrees on; and where wi is nearly the mirror direction, the dot
-  //    product does not know the angle well enough. pdf() needs the same power: make it a function.
+  //    product is not accurate enough. pdf() needs the same power: make it a function.
   // 4. The lecture's formula. No cosine at the surface.
   carlo::not_implemented("Lab 8.3", "Reflected Ray Sampling");
 }

@@ -24,7 +24,7 @@ Rgb trace_path_lecture(const World& world, const Ray& ray, Rng& rng) {
 }
 
 Rgb trace_path(const World& world, const Ray& ray, Rng& rng) {
-  // 1. As above, but emission needs no choice: what is added always is divided by nothing.
+  // 1. As above, but emission needs no choice: a term that is always added is divided by nothing.
   carlo::not_implemented("Lab 8.4", "Monte Carlo Path Tracer");
 }
 

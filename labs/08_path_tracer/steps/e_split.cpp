@@ -13,7 +13,7 @@ namespace lab08 {
 Rgb reflect_split(const Cone& light, Vec3 normal, const Brdf& f, const Incoming& incoming,
                   Rng& rng) {
   // 1. A uniform direction of the cone. Which density does it have? It may lie below the horizon:
-  //    then it brings nothing, and incoming() must not be asked.
+  //    then it contributes nothing, and incoming() must not be called.
   // 2. A uniform direction of the hemisphere (lab 7), drawn again until it is outside of the cone.
   //    How large is the set that it is uniform in? Part of the cone may not be in the hemisphere.
   // 3. Each contributes f incoming cosine over its own density; two integrals, one sum.

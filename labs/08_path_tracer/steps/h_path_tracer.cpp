@@ -24,10 +24,10 @@ float light_pdf(const World& world, const Surface& from, const Surface& to) {
 
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions) {
   // 1. Keep the ray, the throughput so far and the sum so far; and of the last vertex what the
-  //    weight of the next emission needs: where it was and the density of its direction.
+  //    weight of the next emission needs: its position and the density of its direction.
   // 2. Each turn: the nearest surface or the environment; emission with its weight; the depth.
   // 3. At a Phong surface: a point of a light with its weight, then sample()'s direction. Mirrors
-  //    and glass: one direction, after which emission counts whole.
+  //    and glass: one direction, after which emission counts in full.
   // 4. Throughput, next ray, roulette: who survives carries more.
   // 5. Before each read, seek() to this vertex's dimension for this decision. A vertex that does
   //    not need a number skips its dimension.

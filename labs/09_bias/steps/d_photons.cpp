@@ -20,9 +20,9 @@ Emission emit_from_light(const Light& light, Rng& rng) {
   // 1. A uniform point: light.sample().
   // 2. Radiance is the same in all directions, but a slanted pencil of light is thinner. Which of
   //    lab 7's samplers has a density that makes up for that?
-  // 3. The ray starts beside the light: leave(point, d), given/light sources.h.
+  // 3. The ray starts beside the light: leave(point, d) of bias.h.
   // 4. The flux is the light's power: radiance, integrated over its area and the hemisphere. The
-  //    radiance is the same at all points: any light.sample() tells it.
+  //    radiance is the same at all points: any light.sample() has it.
   carlo::not_implemented("Lab 9.4", "Summary");
 }
 

@@ -25,7 +25,7 @@ Rgb photon_radiance(const World& world, const Ray& ray, const PhotonMap& all, fl
   // 1. A loop as in Lab 8.8, with the product of the weights: mirrors and glass by Lab 8.7.
   // 2. The first Phong surface ends it: what it emits, and what it reflects of the photons, with
   //    lab08::evaluate() as BRDF.
-  // 3. What does a ray bring that meets nothing?
+  // 3. What is the radiance of a ray that meets nothing?
   carlo::not_implemented("Lab 9.5", "Summary");
 }
 
@@ -34,8 +34,8 @@ Rgb caustic_radiance(const World& world, const Ray& ray, const PhotonMap& causti
   // 1. The same loop, but it goes on at Phong surfaces, as in Lab 8.7: direct_by_area(), and
   //    sample().
   // 2. And there, photons.
-  // 3. Whatever a ray sees emit was counted already, by direct_by_area() or by the photons: but for
-  //    what?
+  // 3. Emission that a ray meets was already counted, by direct_by_area() or by the photons: except
+  //    which?
   carlo::not_implemented("Lab 9.5", "Summary");
 }
 

@@ -32,7 +32,7 @@ Rgb direct_by_hemisphere(const World& world, const Surface& surface, const Brdf&
   const Vec3 wi = lab07::Frame(surface.n).to_world(local);
   const auto met = world.intersect(world.leave(surface, wi));
   if (!met) return Rgb(0);
-  // The cosine and the density's cosine cancel.
+  // The cosine cancels that of the density.
   return f(wi) * met->Le * carlo::pi_f;
 }
 

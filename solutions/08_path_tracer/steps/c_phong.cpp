@@ -37,9 +37,8 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
          phong.ks * (scale * cos_power(mirrored(normal, wo), wi, phong.exponent));
 }
 
-// By the largest channel: what is left absorbs, and yet no channel of a diffuse surface has a
-// weight above 1. The reference renderer goes by the mean and absorbs nothing; either rule is
-// unbiased.
+// By the largest channel: the rest is absorption, and no channel of a diffuse surface has a weight
+// above 1. The reference renderer goes by the mean and absorbs nothing; either rule is unbiased.
 LobeProbabilities lobe_probabilities(const carlo::Phong& phong) {
   const float diffuse = largest(phong.kd), specular = largest(phong.ks);
   const float sum = std::max(1.0f, diffuse + specular);

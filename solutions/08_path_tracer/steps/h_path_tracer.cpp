@@ -12,14 +12,14 @@ namespace {
 /// The state of a path.
 struct Path {
   Ray ray;
-  Rgb beta{1};  ///< what radiance from here is multiplied by
+  Rgb beta{1};  ///< throughput: the factor of radiance from here
   Rgb radiance{0};
   float pdf = 0;                ///< of the ray's direction, if the light was sampled as well
   std::optional<Surface> last;  ///< the surface that the ray left in that case; none: emission
                                 ///< counts fully
 };
 
-/// Light from a sampled point of a light, weighted against sample()'s directions.
+/// Direct light from a sampled point of a light, weighted against sample()'s directions.
 Rgb direct(const World& world, const Surface& surface, Dimensions& dimensions) {
   if (world.lights().empty()) return Rgb(0);
   const Light& light = world.choose(dimensions.next_1d());
@@ -41,7 +41,7 @@ Rgb emitted(const World& world, const Path& path, const Surface& surface) {
   return surface.Le * power_heuristic(path.pdf, light_pdf(world, *path.last, surface));
 }
 
-/// The direction in which the path goes on from a surface, if it does.
+/// The direction in which the path continues from a surface; nothing if it ends there.
 std::optional<BsdfSample> scatter(const World& world, Path& path, const Surface& surface,
                                   unsigned place, Dimensions& dimensions) {
   dimensions.seek(place + lobe_dimension);

@@ -34,8 +34,8 @@ double curve_value(const PixelFilter& filter, double x) {
   return 0;
 }
 
-/// The distance within which the share `share` of the cut Gaussian lies, in both directions
-/// together. The integral bends down, so that Newton's steps from 0 never go too far.
+/// The distance from the middle within which the fraction `share` of the truncated Gaussian lies.
+/// The integral is concave, so Newton's steps from 0 never overshoot.
 double gaussian_distance(const PixelFilter& filter, double share) {
   const double goal = share * kept(filter), sigma = filter.sigma;
   const double close = 1e-6 * std::min(filter.radius, sigma);

@@ -14,13 +14,13 @@ Rgb power(const Light& light) {
   return carlo::pi_f * light.area() * light.sample({0.5f, 0.5f}).radiance;
 }
 
-/// Where a photon goes on to from a surface, and what of its flux it takes along.
+/// The next direction of a photon from a surface, and the part of its flux that continues.
 std::optional<lab08::BsdfSample> scatter(const Surface& surface, Rng& rng) {
   if (const auto* mirror = std::get_if<carlo::Mirror>(surface.material))
     return lab08::sample_mirror(*mirror, surface);
   if (const auto* glass = std::get_if<carlo::Dielectric>(surface.material)) {
     lab08::BsdfSample next = lab08::sample_glass(*glass, surface, rng.uniform_float());
-    // Radiance changes as its solid angle does; a photon is all of its light.
+    // Refraction changes radiance with its solid angle, but not the flux of a photon.
     next.weight = Rgb(1);
     return next;
   }

@@ -5,14 +5,15 @@
 namespace lab09 {
 namespace {
 
-/// The disc that photons of a sphere about the point are taken to lie on.
+/// The area of the disc on which the photons in a sphere about the point are assumed to lie.
 float disc(float radius2) {
   return carlo::pi_f * radius2;
 }
 
-/// What a photon brings to the radiance towards wo, times the area over which its flux is spread.
+/// The contribution of a photon to the radiance towards wo, times the area over which its flux is
+/// spread.
 Rgb reflected(const Photon& photon, const Surface& surface, const Brdf& f) {
-  // No cosine: the slanted beam has been spread by arriving.
+  // No cosine: the density of photons already accounts for it.
   return glm::dot(photon.wi, surface.n) > 0 ? f(photon.wi) * photon.flux : Rgb(0);
 }
 
@@ -23,7 +24,7 @@ Rgb phong_radiance_within(const PhotonMap& map, const Surface& surface, float ra
   return radiance_within(map, surface, f, radius);
 }
 
-/// The one direction that a mirror or glass takes; nothing for Phong surfaces.
+/// The direction sampled at a mirror or glass; nothing for Phong surfaces.
 std::optional<lab08::BsdfSample> sample_specular(const Surface& surface, Rng& rng) {
   if (const auto* mirror = std::get_if<carlo::Mirror>(surface.material))
     return lab08::sample_mirror(*mirror, surface);

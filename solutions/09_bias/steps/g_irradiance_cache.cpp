@@ -10,14 +10,14 @@
 namespace lab09 {
 namespace {
 
-/// A uniform number of stratum number `stratum`.
+/// A uniform number in stratum number `stratum`.
 float within(int stratum, int strata, Rng& rng) {
   const auto first = static_cast<float>(stratum);
   const float u = (first + rng.uniform_float()) / static_cast<float>(strata);
   return std::min(u, 0x1.fffffep-1f);  // the sum may be rounded up to the stratum's end
 }
 
-/// Whether the record sees what a point in a hollow below it does not.
+/// True if the record lies in front of the point, so that it may see what the point does not.
 bool lies_in_front(const Record& record, Vec3 p, Vec3 n) {
   const Vec3 up = (n + record.n) / 2.0f;
   return static_cast<double>(glm::dot(record.p - p, up)) > record.distance / 100;
@@ -41,7 +41,7 @@ Record make_record(Vec3 p, Vec3 n, int strata, const LookAround& look, Rng& rng)
     }
   }
   const double count = static_cast<double>(strata) * strata;
-  // The cosine and the density's cosine cancel.
+  // The cosine cancels that of the density.
   return {p, n, carlo::pi / count * radiance, count / inverse_distances};
 }
 

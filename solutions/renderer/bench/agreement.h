@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// How far two renderers' images of one scene are apart.
+/// The disagreement of two renderers' images of one scene.
 struct Agreement {
   double tile_z = 0;      ///< the largest |z| of a tile's channel
   double mean_z = 0;      ///< the largest |z| of the whole image's mean, over channels

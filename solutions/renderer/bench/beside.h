@@ -47,7 +47,7 @@ struct Runs {
   std::string version;
 };
 
-/// Their runs and ours take turns, so that disturbances of the machine affect both. `from` and `to`
+/// Their runs and ours alternate, so that disturbances of the machine affect both. `from` and `to`
 /// are fractions of the context's part.
 Runs measure(Context& context, const Contender& contender, const Compared& c, std::uint32_t samples,
              int count, double from, double to);

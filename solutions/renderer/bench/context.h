@@ -2,6 +2,7 @@
 
 #include "course/report/page.h"
 #include "course/report/table.h"
+#include "image/image.h"
 #include "render/driver.h"
 #include "renderer/bench/spread.h"
 #include "scene/scene.h"
@@ -44,7 +45,7 @@ class Context {
   /// Reports the finished fraction of the current part, in [0, 1]. Throws Error after Ctrl-C.
   void progress(double fraction);
   void table(const std::string& key, const carlo::Table& table, std::string_view caption);
-  /// Prints a line that the reader should not miss, to the terminal and the page.
+  /// Prints a line to the terminal and the page.
   void remark(const std::string& line);
   /// The same in red, for a measurement that is not as it should be. The run continues, and fails
   /// in the end.
@@ -91,5 +92,15 @@ void bench_peers(Context& context);
 
 /// Measures one mesh in a process of its own, and prints the results for bench_triangles().
 void print_mesh_costs(const std::filesystem::path& scene);
+
+/// A reference image of tests/references/scenes on a film of `size` x `size`, and its own
+/// contribution to a mean square error against it.
+struct Reference {
+  carlo::Image image;
+  double noise = 0;  ///< the mean over pixels and channels of its squared standard error
+};
+
+/// Throws Error when the file's size is not a multiple of `size`, or it lacks the standard error.
+Reference read_reference(const std::filesystem::path& path, int size);
 
 }  // namespace bench

@@ -36,7 +36,7 @@ Said run(const std::vector<std::string>& command, const std::function<void()>& w
 /// The answer of the peer's script in its output, and the last line that reports an error.
 struct Lines {
   std::optional<nlohmann::json> answer;
-  std::string error = "nothing that tells of an error";
+  std::string error = "no error message";
 };
 
 Lines read(const std::string& text) {

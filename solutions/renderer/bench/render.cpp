@@ -105,7 +105,7 @@ void print(const Peer& peer, const Variant& variant, double paths) {
       target / product.median);
 }
 
-/// All variants take turns, so that other load affects them alike.
+/// All variants alternate, so that other load affects them alike.
 void measure(const Peer& peer, const Arguments& a) {
   const std::filesystem::path folder(a.references);
   carlo::Scene scene = carlo::load_scene(folder / (std::string(peer.scene) + ".xml"));

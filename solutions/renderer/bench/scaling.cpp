@@ -2,7 +2,6 @@
 #include "course/report/stopwatch.h"
 #include "image/metrics.h"
 #include "methods.h"
-#include "reference.h"
 #include "render/scene_film.h"
 #include "scene/load_scene.h"
 #include "support/error.h"
@@ -37,7 +36,7 @@ struct Case {
   double mean = 0;  ///< of the image, over channels
 };
 
-/// The runs of all cases take turns. With a reference, the efficiency is measured as well.
+/// The runs of all cases alternate. With a reference, the efficiency is measured as well.
 void run_all(Context& context, std::vector<Case>& cases, std::uint32_t samples, int runs,
              const Reference* reference = nullptr) {
   double done = 0;

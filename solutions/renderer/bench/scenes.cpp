@@ -4,7 +4,6 @@
 #include "course/report/viewer.h"
 #include "image/metrics.h"
 #include "methods.h"
-#include "reference.h"
 #include "render/scene_film.h"
 #include "scene/load_scene.h"
 #include "support/error.h"
@@ -59,7 +58,7 @@ struct Measured {
   std::vector<Rung> rungs;
 };
 
-/// The runs of all ways take turns, so that disturbances of the machine affect all of them.
+/// The runs of all ways alternate, so that disturbances of the machine affect all of them.
 std::vector<Measured> measure(Context& context, Scene scene, const Reference& reference,
                               const Plan& p, double from, double to) {
   std::vector<Measured> all;
@@ -182,7 +181,7 @@ void bench_scenes(Context& context) {
   const Plan p = plan(context.options());
   context.begin("Scenes: integrators and samplers");
   context.page().prose(
-      "The same scenes by the lecture's recursive tracer, lab 08's iterative one, and the "
+      "The same scenes by the lecture's recursive tracer, lab 8's iterative one, and the "
       "reference renderer's scalar and vector kernels. Efficiency 1 / (MSE x s) is what a method "
       "gives for its time: twice as much is the same error in half the time. The runs of all rows "
       "take turns; ratios are within this run. Errors are against reference images, whose own "

@@ -103,7 +103,7 @@ Scene lit_floor(int count, bool points) {
   return scene;
 }
 
-/// What the runs of one scene by one method cost, and the error that this bought.
+/// The cost and the error of the runs of one scene by one method.
 struct Cost {
   Spread seconds;     ///< of a processor, a path
   double efficiency;  ///< of the image's mean: 1 / (relative variance x seconds)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace bench {
@@ -10,7 +11,10 @@ struct Spread {
 };
 
 /// Needs at least one value; for an even number takes the upper median.
-Spread spread(std::vector<double> values);
+inline Spread spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {values[values.size() / 2], values.front(), values.back()};
+}
 
 inline double median(const std::vector<double>& values) {
   return spread(values).median;

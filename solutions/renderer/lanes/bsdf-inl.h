@@ -45,19 +45,17 @@ HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
           mul_add(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
 }
 
-/// The density with which a path that came along the sampled direction (cosine `cosine`, drawn with
-/// density `pdf`) would draw the direction of arrival (cosine `arrival`). The lobe is the same both
-/// ways.
+/// The density with which a path that arrives along the sampled direction (cosine `cosine`, density
+/// `pdf`) would sample the direction of arrival (cosine `arrival`). The lobe is symmetric.
 template <bool phong>
-HWY_INLINE V pdf_back(const Surfaces& s, V arrival, V cosine, V pdf) {
+HWY_INLINE V reverse_pdf_of(const Surfaces& s, V arrival, V cosine, V pdf) {
   const V per_pi = set(1 / pi);
   if (!phong) return hn::Mul(arrival, per_pi);
   const V more = hn::Mul(s.diffuse, hn::Mul(hn::Sub(arrival, cosine), per_pi));
   return hn::Max(hn::Add(pdf, more), set(0));
 }
 
-/// Draws a direction from either lobe: u.x chooses the lobe and, rescaled, serves the direction as
-/// well.
+/// Samples a direction: u.x chooses the lobe and is rescaled to sample the direction, too.
 template <bool phong>
 HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
   if (!phong) {
@@ -82,12 +80,12 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
       to_world(frame, hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), hn::Sqrt(cos2)));
 }
 
-/// What mirrors and glass do to a ray.
+/// Reflection by mirrors, reflection or refraction by glass.
 struct Reflections {
   V3 d;
   V3 weight;
-  V eta2;     ///< radiance compression: part of `weight`, but no absorption
-  M through;  ///< continues behind the surface
+  V eta2;     ///< the scaling of radiance by refraction: part of `weight`, but no absorption
+  M through;  ///< transmitted
 };
 
 /// Reflects or refracts rays of direction d; n is on the side that they come from, which is the

@@ -28,18 +28,19 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 // A group of lights (LaneLights) is chosen in proportion to its `weight`, an estimate of its
-// unoccluded irradiance. One sixteenth of the choices goes to all groups that can contribute,
-// equally for each light, so that none is missed where the weights are wrong. (LightTree does the
-// same for many lights, with its own estimates.)
+// unoccluded irradiance. One sixteenth of the choices is shared equally by all lights that can
+// contribute, so that none is missed where the weights are wrong. (LightTree does the same for many
+// lights, with its own estimates.)
 
-/// What is known about groups: a sphere around each, and its LaneLights::strength.
+/// Groups of lights: a sphere around each, and its LaneLights::strength.
 struct Emitters {
   V3 middle;
   V reach, strength;
 };
 
-/// The weights of groups at points p of surfaces with normals n. `height`: how far p lies in front
-/// of the group's plane, or the distance if it has none. Below 0 where the group cannot contribute.
+/// The weights of groups at points p of surfaces with normals n; below 0 where the group cannot
+/// contribute. `height`: the distance of p in front of the group's plane or, if it has none, from
+/// its middle.
 HWY_INLINE V flat_weight(const Emitters& light, V3 p, V3 n, V height) {
   const V3 d = light.middle - p;
   const V inwards = mul_add(n.x, d.x, mul_add(n.y, d.y, mul_add(n.z, d.z, light.reach)));
@@ -56,12 +57,13 @@ HWY_INLINE V round_weight(const Emitters& light, V3 p, V3 n) {
 }
 
 /// A light's probability, from the weight of its group and its share in it.
-struct Chances {
+struct LightProbabilities {
   V per_weight, of_each;
 };
-HWY_INLINE V chance(const Chances& chances, V weight, V share) {
-  return hn::IfThenElseZero(hn::Ge(weight, set(0)),
-                            mul_add(hn::Mul(weight, chances.per_weight), share, chances.of_each));
+HWY_INLINE V probability(const LightProbabilities& probabilities, V weight, V share) {
+  return hn::IfThenElseZero(
+      hn::Ge(weight, set(0)),
+      mul_add(hn::Mul(weight, probabilities.per_weight), share, probabilities.of_each));
 }
 
 /// The weight of the environment map: the same everywhere.
@@ -72,8 +74,8 @@ HWY_INLINE V sky_weight(const LaneLights& lights) {
 /// The weights of all groups, one register per group.
 using Weights = std::array<float, LaneLights::most_groups * lanes>;
 
-inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, const V3& n,
-                                         Weights& weights) {
+inline HWY_NOINLINE LightProbabilities weigh_lights(const LaneLights& lights, const V3& p,
+                                                    const V3& n, Weights& weights) {
   V sum = set(0), count = set(0);
   const auto add = [&](std::uint32_t g, V weight) HWY_ATTR {
     hn::Store(weight, d_, weights.data() + g * lanes);
@@ -102,8 +104,8 @@ inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, 
 }
 
 struct Picked {
-  U index;   ///< a light
-  V chance;  ///< its probability
+  U index;  ///< a light
+  V probability;
 };
 
 /// Stretches u from [0, width) to [0, 1).
@@ -111,8 +113,8 @@ HWY_INLINE V stretch(V u, V width) {
   return hn::Min(hn::Div(u, width), set(0x1.fffffep-1f));
 }
 
-/// The members of groups that u in [0, width) leads to: the first `by_strength` of the width
-/// chooses by strength, the rest uniformly. u becomes uniform in [0, 1).
+/// Picks members of groups by u in [0, width): the first `by_strength` of the width chooses by
+/// strength, the rest uniformly. Rescales u to [0, 1).
 HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_strength, V& u) {
   const U first = gather_words(lights.first.data(), group);
   const U size = gather_words(lights.size.data(), group), end = hn::Add(first, size);
@@ -139,20 +141,20 @@ HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_s
   return {gather_words(lights.member.data(), at), mul_add(by_strength, share, of_each)};
 }
 
-/// Picks lights by u in [0, 1); u becomes uniform again. The probabilities of groups are multiples
-/// of 2^-23, twice the step of u, so they are exactly those with which groups are drawn. A small
-/// probability leaves few steps of u; `seed` decides between them.
+/// Picks lights by u in [0, 1), and rescales u. The probabilities of groups are multiples of 2^-23,
+/// twice the step of u, so they are exactly those with which groups are picked. A small probability
+/// leaves few steps of u; `seed` refines them.
 inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
-                                      const Chances& chances, U seed, V& u) {
+                                      const LightProbabilities& probabilities, U seed, V& u) {
   V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
   U group = set_word(0);
   for (std::uint32_t g = 0; g < lights.groups; ++g) {
     const V weight = hn::Load(d_, weights.data() + g * lanes);
     sum = hn::Add(sum, hn::Max(weight, set(0)));
-    of_each =
-        select(hn::Ge(weight, set(0)),
-               mul_add(chances.of_each, set(static_cast<float>(lights.size[g])), of_each), of_each);
-    const V exact = mul_add(sum, chances.per_weight, of_each);
+    of_each = select(
+        hn::Ge(weight, set(0)),
+        mul_add(probabilities.of_each, set(static_cast<float>(lights.size[g])), of_each), of_each);
+    const V exact = mul_add(sum, probabilities.per_weight, of_each);
     const V upto = hn::Sub(hn::Add(exact, set(1)), set(1));
     const M beyond = hn::Ge(u, upto);
     lower = select(beyond, upto, lower);
@@ -168,13 +170,14 @@ inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& w
   }
   const U place = hn::Add(hn::Mul(group, set_word(lanes)), hn::Iota(du_, 0));
   const V weight = hn::Max(gather(weights.data(), place), set(0));
-  const V by_strength = hn::Min(hn::Mul(weight, chances.per_weight), width);
+  const V by_strength = hn::Min(hn::Mul(weight, probabilities.per_weight), width);
   return pick_member(lights, group, width, by_strength, u);
 }
 
 /// The probability with which lights are chosen at points p of surfaces with normals n.
-inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances, U light,
-                                const V3& p, const V3& n) {
+inline HWY_NOINLINE V probability_of(const LaneLights& lights,
+                                     const LightProbabilities& probabilities, U light, const V3& p,
+                                     const V3& n) {
   const U group = gather_words(lights.group.data(), light);
   const auto column = [&](const auto& c) HWY_ATTR { return gather(c.data(), group); };
   const Emitters of{{column(lights.middle_x), column(lights.middle_y), column(lights.middle_z)},
@@ -188,7 +191,7 @@ inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances
     const M is_flat = hn::RebindMask(d_, hn::Gt(set_word(lights.first_round), group));
     weight = select(is_flat, weight, round_weight(of, p, n));
   }
-  return chance(chances, weight, gather(lights.share.data(), light));
+  return probability(probabilities, weight, gather(lights.share.data(), light));
 }
 
 inline HWY_NOINLINE U pick_start_among_many(const LaneLights& lights, std::uint32_t count, V& u) {
@@ -206,7 +209,7 @@ inline HWY_NOINLINE U pick_start_among_many(const LaneLights& lights, std::uint3
   return hn::Load(du_, index.data());
 }
 
-/// Picks one of `count` lights by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
+/// Picks one of `count` lights by u in [0, 1) and LaneLights::start_upto, and rescales u.
 template <bool full>
 HWY_INLINE U pick_start(const LaneLights& lights, std::uint32_t count, V& u) {
   if (full && lights.many()) return pick_start_among_many(lights, count, u);

@@ -1,4 +1,4 @@
-// Finds the parallelograms and disks that rays meet, one ray per lane. Included once for each
+// Intersects rays with parallelograms and disks, one ray per lane. Included once for each
 // instruction set.
 
 #if defined(CARLO_FLATS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -36,7 +36,8 @@ HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
   return hn::Le(outwards, set(reach));
 }
 
-/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside it.
+/// The intersection of a ray with the plane of parallelogram or disk i, and whether it is inside
+/// the shape.
 struct PlaneHit {
   V3 n;
   V below;  ///< how far the origin lies from the plane, in direction -n
@@ -45,24 +46,24 @@ struct PlaneHit {
   M inside;
 };
 template <Outline outline>
-HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE PlaneHit intersect_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
   const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
   const V t = hn::Div(below, along);
   return {n, below, along, t, inside<outline>(s, i, add_scaled(o, t, d))};
 }
 
-/// True for rays that cross the plane that their origins touch; n is its normal. An origin's
-/// coordinates cannot tell on which side of the plane it lies, but the path came to it on that
-/// side.
+/// True for rays that cross the plane which their origins touch; n is its normal. The coordinates
+/// of an origin cannot tell on which side of the plane it lies, but it is the side from which the
+/// path arrived.
 HWY_INLINE M goes_through(V3 n, V along, V3 arrival) {
   return hn::Gt(hn::Mul(along, dot(n, arrival)), set(0));
 }
 
 template <bool close, Outline outline>
-HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
-                          V of_origin, Hits& hits) {
-  const PlaneHit hit = meet_plane<outline>(s, i, from.o, d);
+HWY_INLINE void intersect_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+                               V of_origin, Hits& hits) {
+  const PlaneHit hit = intersect_plane<outline>(s, i, from.o, d);
   const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
@@ -77,23 +78,26 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   // Among surfaces of one plane, whose distances are equal, the one that faces the ray wins.
   if (close && s.coplanar)
     nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
-  take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
+  keep_nearer(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
-/// Parallelogram or disk i is in between if the ends are on different sides of its plane. The ends
-/// themselves are compared: a distance to a far light would blur what is close to it.
+/// Parallelogram or disk i blocks a segment if the ends are on different sides of its plane. The
+/// ends themselves are compared: the distance to a far light is too inaccurate to tell what is
+/// close to it.
 template <bool close, Outline outline>
-HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
-  const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
+HWY_INLINE M flat_occludes(const LaneScene& s, std::uint32_t i, const Segments& segments,
+                           V of_origin) {
+  const PlaneHit hit = intersect_plane<outline>(s, i, segments.from.o, segments.d);
   const U plane = set_word(s.plane[i]);
-  const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
-                                              differs(plane, way.to_plane)));
-  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  const M there = hn::And(hit.inside, hn::And(differs(plane, segments.from.starts_on<close>()),
+                                              differs(plane, segments.to_plane)));
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, segments.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
-      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
+      between =
+          select_mask(touches, goes_through(hit.n, hit.along, segments.from.arrival), between);
   }
   return hn::And(there, between);
 }
@@ -110,27 +114,27 @@ HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
   return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
 }
 
-/// Calls f with the numbers of a run that come close to one of the points p that are `asked` for;
-/// these lie in its plane.
+/// Calls f with the numbers of all parallelograms of those patches of a run that are near one of
+/// the points p in the lanes of `active`; the points lie in its plane.
 template <class F>
-HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
+HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M active, const F& f) {
   const std::uint32_t i = run.first;
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
   for (std::uint32_t k = i; k < run.end; k = s.patch_end[k]) {
     const M near = hn::And(hn::Le(hn::Abs(hn::Sub(a, set(s.patch_a[k]))), set(s.patch_half_a[k])),
                            hn::Le(hn::Abs(hn::Sub(b, set(s.patch_b[k]))), set(s.patch_half_b[k])));
-    if (hn::AllFalse(d_, hn::And(near, asked))) continue;
+    if (hn::AllFalse(d_, hn::And(near, active))) continue;
     for (std::uint32_t member = k; member < s.patch_end[k]; ++member)
       f(member);
   }
 }
 
-/// meet_flat() for each of a run, which is skipped where none of the rays meets the plane.
-HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
-                         Hits& hits) {
+/// intersect_flat() for each of a run, which is skipped if no ray meets its plane.
+HWY_INLINE void intersect_run(const LaneScene& s, const Run& run, const Origins& from, V3 d,
+                              V of_origin, Hits& hits) {
   const std::uint32_t i = run.first;
-  const PlaneHit hit = meet_plane<Outline::quad>(s, i, from.o, d);
+  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, from.o, d);
   const M elsewhere = differs(set_word(s.plane[i]), from.plane);
   V t = hit.t;
   M ahead = hn::And(elsewhere, hn::Gt(t, set(0)));
@@ -144,35 +148,35 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   if (hn::AllFalse(d_, hn::Or(nearer, level))) return;
   const V3 p = add_scaled(from.o, hit.t, d);
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
-  // Among overlapping ones, one that faces the ray.
+  // Among overlapping parallelograms the one that faces the ray wins.
   M open = nearer;
-  for_places(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
+  for_nearby_members(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
     const M front = alike(s, run, k) ? faced : facing;
     const M taken = hn::And(inside<Outline::quad>(s, k, p),
                             hn::Or(open, hn::And(hn::Or(nearer, level), front)));
-    take(hits, taken, t, set_word(k));
+    keep_nearer(hits, taken, t, set_word(k));
     open = hn::AndNot(taken, open);
   });
 }
 
-/// flat_blocks() for any of a run.
-HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way, M asked,
-                        V of_origin) {
+/// flat_occludes() for any of a run.
+HWY_INLINE M run_occludes(const LaneScene& s, const Run& run, const Segments& segments, M active,
+                          V of_origin) {
   const std::uint32_t i = run.first;
   const U plane = set_word(s.plane[i]);
-  const M there =
-      hn::And(asked, hn::And(differs(plane, way.from.plane), differs(plane, way.to_plane)));
+  const M there = hn::And(
+      active, hn::And(differs(plane, segments.from.plane), differs(plane, segments.to_plane)));
   if (hn::AllFalse(d_, there)) return there;
-  const PlaneHit hit = meet_plane<Outline::quad>(s, i, way.from.o, way.d);
-  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, segments.from.o, segments.d);
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, segments.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (s.touching) {
     const M touches = within_rounding(hit.below, of_origin, s.coordinates[i]);
-    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
+    between = select_mask(touches, goes_through(hit.n, hit.along, segments.from.arrival), between);
   }
-  const V3 p = add_scaled(way.from.o, hit.t, way.d);
+  const V3 p = add_scaled(segments.from.o, hit.t, segments.d);
   M within = hn::FirstN(d_, 0);
-  for_places(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
+  for_nearby_members(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));
   });
   return hn::And(there, hn::And(between, within));

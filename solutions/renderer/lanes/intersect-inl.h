@@ -1,4 +1,4 @@
-// Finds the surfaces that rays meet, one ray per lane. Included once for each instruction set.
+// Finds the nearest surfaces along rays, one ray per lane. Included once for each instruction set.
 
 #if defined(CARLO_INTERSECT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_INTERSECT_INL
@@ -27,7 +27,7 @@ struct SlabHit {
   V enters, leaves;
   V along;  ///< the direction's component along the slab's axis
 };
-HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
+HWY_INLINE SlabHit intersect_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
   const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
   const V from =
       mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
@@ -52,11 +52,11 @@ HWY_INLINE U left(std::size_t k, V along) {
                  set_word(static_cast<std::uint32_t>(2 * k + 1)));
 }
 
-/// Where rays leave the enclosure. Those from surfaces start inside, even if their origins are
-/// rounded; the camera's may miss it.
+/// The points where rays leave the enclosure. Those from surfaces start inside, even if their
+/// origins are rounded; the camera's may miss it.
 HWY_INLINE Hits leave_enclosure(const LaneScene& s, V3 o, V3 d, U last) {
-  const SlabHit x = meet_slab(s.enclosure, 0, o, d), y = meet_slab(s.enclosure, 1, o, d),
-                z = meet_slab(s.enclosure, 2, o, d);
+  const SlabHit x = intersect_slab(s.enclosure, 0, o, d), y = intersect_slab(s.enclosure, 1, o, d),
+                z = intersect_slab(s.enclosure, 2, o, d);
   V leaves = x.leaves;
   U side = left(0, x.along);
   const auto choose = [&](V t, U number) HWY_ATTR {
@@ -89,10 +89,10 @@ HWY_INLINE U box_of(U surface) {
 
 /// Seen from outside, where every path is, a solid lies ahead if the middle of the chord does. This
 /// does not depend on the rounding of an origin that touches the solid.
-HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
-                           Hits& hits) {
-  const SlabHit x = meet_slab(s.solids[i], 0, o, d), y = meet_slab(s.solids[i], 1, o, d),
-                z = meet_slab(s.solids[i], 2, o, d);
+HWY_INLINE void intersect_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
+                                Hits& hits) {
+  const SlabHit x = intersect_slab(s.solids[i], 0, o, d), y = intersect_slab(s.solids[i], 1, o, d),
+                z = intersect_slab(s.solids[i], 2, o, d);
   V enters = x.enters;
   U side = entered(0, x.along);
   const auto choose = [&](V t, U number) HWY_ATTR {
@@ -105,17 +105,17 @@ HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U la
   const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
                            hn::And(ahead, differs(last_box, set_word(i))));
-  take(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
+  keep_nearer(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
 }
 
-/// Where a line meets a sphere: t at the middle of the chord and at its ends.
+/// The intersection of a line and a sphere: t at the middle of the chord and at its ends.
 struct Chord {
   V middle, enters, leaves;
   M met;
 };
 /// Source: Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
 /// chapter 7. d has length 1.
-HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE Chord intersect_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 from_center = o - set(s.cx[i], s.cy[i], s.cz[i]);
   const V middle = hn::Neg(dot(from_center, d));
   const V3 closest = add_scaled(from_center, middle, d);
@@ -138,10 +138,10 @@ HWY_INLINE V turned(V3 arrival) {
 /// the opposite after passing through glass. It does so even if rounding puts a grazing ray's
 /// origin outside, so that the line misses the sphere.
 template <bool full>
-HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
-                            V of_origin, Hits& hits) {
+HWY_INLINE void intersect_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+                                 V of_origin, Hits& hits) {
   const U number = set_word(i);
-  const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
+  const Chord chord = intersect_sphere(s, std::size_t{i}, from.o, d);
   const M starts = same(from.last, number);
   const V outwards = dot(from.arrival, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
   V from_inside = hn::Mul(turned(from.arrival), outwards);
@@ -160,7 +160,7 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
     ahead = select_mask(touches, hn::Or(hn::Gt(chord.middle, set(0)), hn::Not(was_outside)), ahead);
   }
   const M met = hn::Or(chord.met, hn::And(starts, hn::Gt(from_inside, set(0))));
-  take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
+  keep_nearer(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
 /// closest() for scenes with hierarchies; `wanted`: the lanes that have a ray.
@@ -169,29 +169,29 @@ inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& fro
   const V of_origin = coordinates(from.o);
   const TreeSearch search(from.o, d, wanted);
   const auto far = [&]() HWY_ATTR { return hits.t; };
-  const auto take_for = [&](M rays, const Hits& found) HWY_ATTR {
-    take(hits, rays, found.t, found.surface);
+  const auto keep_for = [&](M rays, const Hits& found) HWY_ATTR {
+    keep_nearer(hits, rays, found.t, found.surface);
     return true;
   };
   for_shapes_near(s.quad_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    intersect_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
+    return keep_for(rays, found);
   });
   for_shapes_near(s.disk_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    intersect_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
+    return keep_for(rays, found);
   });
   for_shapes_near(s.sphere_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_sphere<true>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    intersect_sphere<true>(s, i, from, d, of_origin, found);
+    return keep_for(rays, found);
   });
 }
 
-/// The first surface along rays, without sdfs and meshes; d has length 1. Only those of `wanted`
-/// are sure to be found.
+/// The first surface along rays, without sdfs and meshes; d has length 1. Results are valid only
+/// for the lanes of `wanted`.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted) {
   Hits hits{set(longest), set_word(nothing)};
@@ -205,54 +205,55 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted)
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
-      meet_run(s, run, from, d, of_origin, hits);
+      intersect_run(s, run, from, d, of_origin, hits);
       i = run.end - 1;
     } else {
-      meet_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
+      intersect_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
     }
   }
   if constexpr (full) {
     for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
-      meet_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
+      intersect_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
-      meet_sphere<full>(s, i, from, d, of_origin, hits);
+      intersect_sphere<full>(s, i, from, d, of_origin, hits);
   }
   const U last_box = box_of(from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i)
-    meet_solid(s, i, from.o, d, last_box, hits);
+    intersect_solid(s, i, from.o, d, last_box, hits);
   return hits;
 }
 
 /// Both ends lie outside, so the solid is in the way if the middle of the chord lies between them.
-HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
-  const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
-                z = meet_slab(box, 2, way.from.o, way.d);
+HWY_INLINE M solid_occludes(const LaneBox& box, const Segments& segments) {
+  const SlabHit x = intersect_slab(box, 0, segments.from.o, segments.d),
+                y = intersect_slab(box, 1, segments.from.o, segments.d),
+                z = intersect_slab(box, 2, segments.from.o, segments.d);
   const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
           leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
   const V twice_middle = hn::Add(enters, leaves);
   return hn::And(hn::Le(enters, leaves),
                  hn::And(hn::Gt(twice_middle, set(0)),
-                         hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
+                         hn::Lt(twice_middle, hn::Add(segments.distance, segments.distance))));
 }
 
 /// Rounding has a larger effect than an end that touches the sphere. A light occludes its own
 /// points only if they face inwards and the origin is outside.
 template <bool full>
-HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
-  const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
-  const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
-  const M starts = same(way.from.last, set_word(i));
+HWY_INLINE M sphere_occludes(const LaneScene& s, std::uint32_t i, const Segments& segments) {
+  const Chord chord = intersect_sphere(s, std::size_t{i}, segments.from.o, segments.d);
+  const V nearly = hn::Mul(segments.distance, set(1 - 1e-6f));  // for a light inside of the sphere
+  const M starts = same(segments.from.last, set_word(i));
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
-  M by_near =
-      hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
-  const V outwards = dot(way.from.arrival, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
-  const V from_inside = hn::Mul(turned(way.from.arrival), outwards);
+  M by_near = hn::And(
+      outside, hn::Or(hn::Lt(chord.middle, segments.distance), hn::Lt(chord.enters, nearly)));
+  const V outwards = dot(segments.from.arrival, segments.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  const V from_inside = hn::Mul(turned(segments.from.arrival), outwards);
   const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
   M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
   if constexpr (full) {
-    const M itself = same(way.to_plane, set_word(i));
+    const M itself = same(segments.to_plane, set_word(i));
     by_far = hn::AndNot(itself, by_far);
     if (s.radius[i] > 0) by_near = hn::AndNot(itself, by_near);
   }
@@ -261,58 +262,59 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
 }
 
 /// unoccluded() for scenes with hierarchies.
-inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& way, M asked) {
-  M clear = asked;
-  const V of_origin = coordinates(way.from.o);
-  const TreeSearch search(way.from.o, way.d, asked);
-  const auto far = [&]() HWY_ATTR { return way.distance; };
-  const auto block = [&](M blocks) HWY_ATTR {
-    clear = hn::AndNot(blocks, clear);
+inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& segments, M active) {
+  M clear = active;
+  const V of_origin = coordinates(segments.from.o);
+  const TreeSearch search(segments.from.o, segments.d, active);
+  const auto far = [&]() HWY_ATTR { return segments.distance; };
+  const auto remove = [&](M occluded) HWY_ATTR {
+    clear = hn::AndNot(occluded, clear);
     return !hn::AllFalse(d_, clear);
   };
   for_shapes_near(s.quad_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, flat_blocks<true, Outline::quad>(s, i, way, of_origin)));
+    return remove(hn::And(rays, flat_occludes<true, Outline::quad>(s, i, segments, of_origin)));
   });
   for_shapes_near(s.disk_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, flat_blocks<true, Outline::disk>(s, i, way, of_origin)));
+    return remove(hn::And(rays, flat_occludes<true, Outline::disk>(s, i, segments, of_origin)));
   });
   for_shapes_near(s.sphere_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, sphere_blocks<true>(s, i, way)));
+    return remove(hn::And(rays, sphere_occludes<true>(s, i, segments)));
   });
   return clear;
 }
 
-/// Those of `asked` that reach their end, a point of a light or the camera, without meeting
-/// anything in between; sdfs and meshes are not tested.
+/// The lanes of `active` whose segments reach their end, a point of a light or the camera,
+/// unoccluded; sdfs and meshes are not tested.
 template <bool close, bool full, bool to_camera = false>
-HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
-  if (full && s.many) return unoccluded_by_trees(s, way, asked);
-  M clear = asked;
-  const U from_box = box_of(way.from.last);
+HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) {
+  if (full && s.many) return unoccluded_by_trees(s, segments, active);
+  M clear = active;
+  const U from_box = box_of(segments.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
-    const M blocks = hn::And(solid_blocks(s.solids[i], way), differs(from_box, set_word(i)));
-    clear = hn::AndNot(blocks, clear);
+    const M occluded =
+        hn::And(solid_occludes(s.solids[i], segments), differs(from_box, set_word(i)));
+    clear = hn::AndNot(occluded, clear);
   }
   V of_origin = set(0);
-  if (close) of_origin = coordinates(way.from.o);
+  if (close) of_origin = coordinates(segments.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.other_lights()))
       continue;
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
-      clear = hn::AndNot(run_blocks(s, run, way, clear, of_origin), clear);
+      clear = hn::AndNot(run_occludes(s, run, segments, clear, of_origin), clear);
       i = run.end - 1;
       continue;
     }
-    clear = hn::AndNot(flat_blocks<close, Outline::quad>(s, i, way, of_origin), clear);
+    clear = hn::AndNot(flat_occludes<close, Outline::quad>(s, i, segments, of_origin), clear);
   }
   if constexpr (full) {
     for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
-      clear = hn::AndNot(flat_blocks<close, Outline::disk>(s, i, way, of_origin), clear);
+      clear = hn::AndNot(flat_occludes<close, Outline::disk>(s, i, segments, of_origin), clear);
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
-      clear = hn::AndNot(sphere_blocks<full>(s, i, way), clear);
+      clear = hn::AndNot(sphere_occludes<full>(s, i, segments), clear);
   }
   return clear;
 }

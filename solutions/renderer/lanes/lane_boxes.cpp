@@ -1,7 +1,7 @@
 #include "renderer/lanes/lane_boxes.h"
 
 #include "geometry/planes.h"
-#include "renderer/lanes/lane_shape.h"
+#include "renderer/lanes/lane_plan.h"
 #include "scene/match.h"
 #include "scene/needs.h"
 
@@ -117,8 +117,8 @@ FoundBox gather_sides(const Scene& scene, const Parallelepiped& box,
   return found;
 }
 
-/// How deep p lies on the inner side of all the given faces of the box (bits as in LaneBox::faces);
-/// below 0 if it is on the outer side of one.
+/// The distance of p from the nearest of the given faces of the box (bits as in LaneBox::faces) on
+/// their inner side; below 0 if it is on the outer side of one.
 double depth_inside(const LaneBox& box, const Vec3d& p, std::uint32_t faces = 0x3F) {
   double least = std::numeric_limits<double>::infinity();
   for (unsigned f = 0; f < 6; ++f) {

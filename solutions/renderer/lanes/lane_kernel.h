@@ -33,17 +33,18 @@ struct LaneJob {
   const LaneChoices& choices;
 };
 
-/// Light paths, joined to the camera at each vertex: they find light that mirrors and glass
-/// gather, or that comes through a slit. For each path, both techniques and light sampling know the
-/// densities p of all three:
+/// Light paths, connected to the camera at each vertex: they find light that mirrors and glass
+/// focus, or that comes through a slit. MIS weights need the densities p of all three techniques
+/// (camera paths, light sampling, light paths) for each path:
 ///
 ///   p(from lights) / p(from camera) = light_paths x pixels / pixel's density at the first vertex
-///     x the densities along the way back / those along the way there x emission
+///     x the reverse densities / the forward densities of all vertices x emission
 ///
-/// all per area. Lengths cancel, and at diffuse vertices everything but cosines: Paths::rival
-/// carries that quotient up to the last vertex, without the factors of its BRDF and of the next
-/// direction. On light paths it is the inverse, that of the techniques from the camera
-/// together. (Veach, Robust Monte Carlo methods, 1997, 10.2; recursively as van Antwerpen, 2011.)
+/// all per area. Distances cancel, and at diffuse vertices so does everything but cosines.
+/// Paths::mis_ratio is this quotient up to the last vertex, without the factors of its BRDF and of
+/// the next direction. On light paths it is the inverse: the combined density of both techniques
+/// from the camera over that of the light path. (Veach, Robust Monte Carlo methods, 1997, 10.2;
+/// recursively as van Antwerpen, 2011.)
 struct LightPathJob {
   const LaneJob& whole;        ///< its tile is ignored
   std::uint64_t first, count;  ///< range of paths

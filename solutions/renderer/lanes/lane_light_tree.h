@@ -29,9 +29,9 @@ struct LaneLight {
 /// For a LightTree of such lights, none of which is `everywhere`.
 LightBounds bounds_of(const LaneLight& light);
 
-/// Chooses among many lights: a tree whose nodes have so many children that few are passed on the
-/// way to a light (light_tree-inl.h). The children of a node are chosen in proportion to an
-/// estimate of their unoccluded irradiance; LightTree::floor of all choices are uniform.
+/// Chooses among many lights by a tree of wide nodes, few of which lie on the path to a light
+/// (light_tree-inl.h). The children of a node are chosen in proportion to an estimate of their
+/// unoccluded irradiance; LightTree::floor of all choices are uniform.
 struct LaneLightTree {
   static constexpr std::size_t width = 16;           ///< children of a node, at most
   static constexpr std::uint32_t leaf = 0x80000000;  ///< set in `child`: the rest numbers a light

@@ -140,10 +140,10 @@ void LaneLights::share_out_starts(const std::vector<Light>& lights) {
   for (const Light& light : lights)
     powers.push_back(light.power);
   const std::vector<double> sums = running(none_left_out(shares(powers)));
-  start_upto = start_chance = Column<float>(sums.size());
+  start_upto = start_probability = Column<float>(sums.size());
   for (std::size_t l = 0; l < sums.size(); ++l) {
     start_upto[l] = as_float(sums[l]);
-    start_chance[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);
+    start_probability[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);
   }
 }
 

@@ -1,14 +1,31 @@
 #pragma once
 
-#include "renderer/lanes/column.h"
 #include "renderer/lanes/lane_light_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace renderer {
+
+/// One property of many surfaces or lights, 0 at first. It is never so short that kernels, which
+/// read whole registers, read past its end.
+template <class T>
+class Column {
+ public:
+  static constexpr std::size_t least = 128;
+
+  explicit Column(std::size_t size = least) : entries_(std::max(size, least)) {}
+
+  T& operator[](std::size_t i) { return entries_[i]; }
+  const T& operator[](std::size_t i) const { return entries_[i]; }
+  const T* data() const { return entries_.data(); }
+
+ private:
+  std::vector<T> entries_;
+};
 
 /// How the vector kernel chooses lights (choice-inl.h), and where light paths start.
 ///
@@ -46,7 +63,7 @@ struct LaneLights {
   Column<float> share{};  ///< fraction of its group's strength
   /// For each light: the running sum of the probabilities with which light paths start there, in
   /// multiples of 2^-24, the step of the u's, so that they are exact; and each probability.
-  Column<float> start_upto{}, start_chance{};
+  Column<float> start_upto{}, start_probability{};
 
  private:
   void add_group(const std::vector<Light>& lights, const std::vector<std::uint32_t>& members,

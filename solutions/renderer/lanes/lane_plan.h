@@ -1,15 +1,42 @@
 #pragma once
 
+#include "renderer/frame.h"
 #include "renderer/lanes/lane_boxes.h"
+#include "renderer/lanes/lane_tree.h"
 #include "scene/scene.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace renderer {
 
-// Whether a ray tries each surface of a scene, or trees find those near it (LaneScene::many).
+/// The square around a disk.
+inline carlo::Parallelogram square_around(const carlo::Disk& disk) {
+  const Frame frame(disk.normal);
+  return {disk.center - disk.radius * (frame.s + frame.t), 2 * disk.radius * frame.s,
+          2 * disk.radius * frame.t};
+}
 
-/// The boxes of a scene if all of its surfaces are tried; nothing if they are too many.
+inline std::array<glm::dvec3, 4> corners(const carlo::Parallelogram& quad) {
+  const glm::dvec3 o(quad.origin), u(quad.u), v(quad.v);
+  return {o, o + u, o + v, o + u + v};
+}
+
+/// True for shapes that are no parallelograms, and so in no box.
+bool in_no_box(const carlo::Shape& shape);
+
+Extent extent_of(const carlo::Shape& shape);
+
+/// Computes LaneScene::touching; `quads` are the parallelograms outside boxes.
+bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads);
+
+// Decides whether rays test all surfaces of a scene one by one, or find those near them by trees
+// (LaneScene::many).
+
+/// The boxes of a scene if all of its surfaces are tested one by one; nothing if there are too
+/// many.
 std::optional<LaneBoxes> boxes_to_try(const carlo::Scene& scene);
 
 /// All parallelograms by themselves.

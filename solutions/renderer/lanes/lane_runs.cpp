@@ -1,7 +1,7 @@
 #include "renderer/lanes/lane_runs.h"
 
 #include "geometry/planes.h"
-#include "renderer/lanes/lane_shape.h"
+#include "renderer/lanes/lane_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,6 @@
 #include "renderer/lanes/lane_columns.h"
 #include "renderer/lanes/lane_plan.h"
 #include "renderer/lanes/lane_runs.h"
-#include "renderer/lanes/lane_shape.h"
-#include "renderer/lanes/lane_touching.h"
 #include "scene/center.h"
 #include "scene/match.h"
 
@@ -92,7 +90,7 @@ class Writer {
     look(i, shape);
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
-    // From everywhere as bright as a disk of its radius.
+    // From every direction as bright as a disk of its radius.
     light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi, area(sphere),
           {.middle = Vec3d(sphere.center),
            .reach = static_cast<double>(sphere.radius),
@@ -156,15 +154,15 @@ class Writer {
     }
     lanes_.choice = LaneLights(lights_);
     for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
-      const auto chance = static_cast<double>(lanes_.choice.start_chance[l]);
+      const auto probability = static_cast<double>(lanes_.choice.start_probability[l]);
       if (l >= lanes_.first_point)
-        lanes_.point_emission[l] = rounded(chance / (4 * carlo::pi));
+        lanes_.point_emission[l] = rounded(probability / (4 * carlo::pi));
       else if (!lights_[l].everywhere)
-        lanes_.emission[lanes_.light_surface[l]] = rounded(chance / areas_[l] / carlo::pi);
+        lanes_.emission[lanes_.light_surface[l]] = rounded(probability / areas_[l] / carlo::pi);
     }
   }
 
-  /// Gives surfaces of one plane the number and the coordinates of the first.
+  /// Gives all surfaces of a plane the number and the coordinates of the first.
   void share_planes() {
     const carlo::Planes planes = carlo::find_planes(quads_);
     for (std::size_t k = 0; k < quads_.size(); ++k) {
@@ -181,7 +179,7 @@ class Writer {
   }
 
  private:
-  /// True if the parallelogram quads_[k] is met or aimed at on its own, not as a side of a box.
+  /// True if the parallelogram quads_[k] is hit or sampled on its own, not as a side of a box.
   bool by_itself(std::size_t k) const {
     const std::size_t i = numbers_[k];
     return i >= lanes_.first_quad || lanes_.light_density[i] > 0;

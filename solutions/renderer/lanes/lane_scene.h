@@ -2,7 +2,6 @@
 
 #include "geometry/mesh_tracer.h"
 #include "renderer/envmap_table.h"
-#include "renderer/lanes/column.h"
 #include "renderer/lanes/lane_lights.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "renderer/lanes/lane_tree.h"
@@ -26,8 +25,8 @@ struct LaneBox {
   std::uint32_t faces = 0;
 };
 
-/// A scene of few parallelograms, disks and spheres as the vector kernels read it. Surfaces are
-/// numbered; the properties of a surface stand at its number in columns, one column per property.
+/// A scene as the vector kernels read it. Surfaces are numbered, and there is a column of entries
+/// for each of their properties.
 ///
 /// Parallelograms are of three kinds, since boxes are cheaper than their sides:
 /// - solids: parallelepipeds of six sides without emission, none of them glass, black from outside
@@ -41,8 +40,8 @@ struct LaneBox {
 struct LaneScene {
   static constexpr std::size_t most = 1 << 16;  ///< largest number of surfaces, and of lights
   static constexpr std::size_t few = 128;       ///< largest number of sdfs and meshes
-  /// Scenes of up to `few` surfaces try all of them, one after the other, if they are no more than
-  /// this when each box and each plane counts once. Beyond, a tree takes less time.
+  /// Rays test all surfaces one by one if there are at most `few`, and at most this many when each
+  /// box and each plane counts once. Beyond, a tree takes less time.
   static constexpr std::size_t most_tried = 48;
   static constexpr std::size_t most_materials = 32;
   static constexpr std::uint32_t sides = 8;       ///< numbers reserved for a solid
@@ -58,8 +57,8 @@ struct LaneScene {
 
   explicit LaneScene(const carlo::Scene& scene);
 
-  /// True if there are too many surfaces to try each. Then the trees find parallelograms, disks and
-  /// spheres, and there are no boxes.
+  /// True if there are too many surfaces to test one by one. Then the trees find parallelograms,
+  /// disks and spheres, and there are no boxes.
   bool many = false;
   LaneTree quad_tree, disk_tree, sphere_tree;
   std::size_t room, light_room;  ///< entries of a column of surfaces, and of lights
@@ -83,7 +82,8 @@ struct LaneScene {
   /// For a sphere; its normal is (p - center) / radius, where radius < 0 if it is flipped.
   Column<float> cx{room}, cy{room}, cz{room}, radius{room};
   Column<float> width{room};  ///< twice |radius|
-  /// What rounding is relative to: |d|, or |center|_1 + |radius| for a sphere.
+  /// The size of coordinates that rounding errors are relative to: |d|, or |center|_1 + |radius|
+  /// for a sphere.
   Column<float> coordinates{room};
   /// Parallelograms of one plane have the same number here, and the same n and d but for a sign;
   /// each sphere has its own. A ray never meets the plane that it starts on. These differ from the

@@ -14,11 +14,11 @@ struct Extent {
   glm::dvec3 lower, upper;
 };
 
-/// A hierarchy of boxes over shapes of one kind, for scenes with too many of them to try each one
-/// (tree-inl.h). Boxes are wider than their shapes by more than the rounding of coordinates.
+/// A hierarchy of boxes over shapes of one kind, for scenes with too many to test one by one
+/// (tree-inl.h). Boxes exceed their shapes by more than the rounding of coordinates.
 struct LaneTree {
   static constexpr std::size_t width = 16;           ///< children of a node, at most
-  static constexpr std::size_t deepest = 32;         ///< nodes on a way down, at most
+  static constexpr std::size_t deepest = 32;         ///< nodes on a path from the root, at most
   static constexpr std::uint32_t leaf = 0x80000000;  ///< set in `child`: the rest numbers a surface
 
   /// The boxes of unused children lie at infinity.

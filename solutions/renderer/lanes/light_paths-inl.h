@@ -1,5 +1,5 @@
-// Light paths, joined to the camera at their vertices (lane_kernel.h, LightPathJob). Included once
-// for each instruction set.
+// Light paths, connected to the camera at their vertices (lane_kernel.h, LightPathJob). Included
+// once for each instruction set.
 
 #if defined(CARLO_LIGHT_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_LIGHT_PATHS_INL
@@ -31,9 +31,8 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Traces light paths: `rival` is how much denser the techniques from the camera are, `pdf`
-/// the cosine at the light, below 0 for points, and `compressed` the largest channel that beta
-/// started with.
+/// Traces light paths. In Paths, `pdf` is then the cosine at the light (below 0 for point lights),
+/// and `roulette_scale` the largest channel of beta at the start.
 template <class Needs>
 class LightPathWalk : Steps<Needs> {
  public:
@@ -46,7 +45,8 @@ class LightPathWalk : Steps<Needs> {
     up_ = set(c.up.x, c.up.y, c.up.z);
   }
 
-  /// Follows every path's ray to the next surface, joins it to the camera and draws the next ray.
+  /// Follows every path's ray to the next surface, connects it to the camera and samples the next
+  /// ray.
   HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
@@ -58,8 +58,8 @@ class LightPathWalk : Steps<Needs> {
   /// The same for one register of paths, or `batch` of them where there are sdfs.
   HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
 
-  /// The unit of Paths::ties, squared luminances of splats.
-  double tie_unit() const { return large_ * large_; }
+  /// The unit of Paths::splat_products, squared luminances of splats.
+  double product_unit() const { return large_ * large_; }
 
   // For step_batch().
 
@@ -70,36 +70,36 @@ class LightPathWalk : Steps<Needs> {
     if (hn::AllFalse(d_, paths.alive)) return;
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
-    const Spots spots = this->locate(paths, vertex, number, found);
-    if (!this->survives(paths, spots)) return;
-    const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
-    this->arrive(paths, spots, vertex);
+    const ShadingPoints shading = this->locate(paths, vertex, number, found);
+    if (!this->survives(paths, shading)) return;
+    const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
+    this->arrive(paths, shading, vertex);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
-    V rival_there = zeros<V>();
+    V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
-      specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
-      // Power, unlike radiance, is not compressed.
+      specular = this->reflect_some(paths, shading, vertex.u_lobe.x, next);
+      // Power, unlike radiance, is not scaled by refraction.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
-      rival_there = this->turn_rival(paths.rival, spots, next);
+      next_mis_ratio = this->mis_ratio_after_specular(paths.mis_ratio, shading, next);
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
-      const Surfaces surface = this->surface_at(paths.d, spots);
-      join_camera(paths, surface, vertex, rivals);
-      scatter(paths, surface, vertex.u_lobe, rivals);
+      const Surfaces surface = this->surface_at(paths.d, shading);
+      join_camera(paths, surface, vertex, ratios);
+      scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular) {
-      this->continue_paths(paths, specular, next, spots, vertex.error);
+      this->continue_paths(paths, specular, next, shading, vertex.error);
       paths.beta = select(specular, next.weight, paths.beta);
-      paths.rival = select(specular, rival_there, paths.rival);
+      paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
     }
-    this->roulette(paths, paths.compressed);
+    this->roulette(paths, paths.roulette_scale);
   }
 
   HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
     const M clear = vertex.to_light.clear;
     if (hn::AllFalse(d_, clear)) return;
-    tie(paths, vertex.direct, clear);
+    add_splat_products(paths, vertex.direct, clear);
     alignas(64) std::array<float, lanes> r, g, b;
     alignas(64) std::array<std::uint32_t, lanes> pixel, word;
     hn::Store(mix(hn::Add(hn::Xor(paths.key, paths.reversed_index), paths.depth)), du_,
@@ -119,26 +119,27 @@ class LightPathWalk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser the techniques from the camera are for which this vertex precedes the one that
-  /// the path came from: `factor` times the density of that way back by the vertex's BRDF, plus, at
-  /// the first vertex, the density of light sampling.
-  struct Rivals {
+  /// The density of camera paths that go from this vertex to the one that the light path came from,
+  /// over that of the light path: `factor` times the BRDF's pdf of that direction, plus, at the
+  /// first vertex, the density of light sampling.
+  struct MisRatios {
     V factor, of_lights, cosine;
   };
-  HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
-    const V per = hn::Div(set(1), spots.cosine);
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const ShadingPoints& shading, V t) const {
+    const V per = hn::Div(set(1), shading.cosine);
     const M first = same(paths.depth, set_word(1)), point = hn::Lt(paths.pdf, set(0));
     V of_lights = set(0);
     if (!hn::AllFalse(d_, first)) {
-      const V there = hn::Div(by_light_sampling(paths, spots, t, hn::And(first, point)),
+      const V there = hn::Div(by_light_sampling(paths, shading, t, hn::And(first, point)),
                               emission_of(paths, point));
       of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
     }
-    return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
+    return {hn::Mul(paths.mis_ratio, per), of_lights, shading.cosine};
   }
   /// The density with which light sampling at a path's first vertex draws the path's start: per
   /// solid angle, or for a point light times distance^2.
-  HWY_INLINE V by_light_sampling(const Paths& paths, const Spots& spots, V t, M point) const {
+  HWY_INLINE V by_light_sampling(const Paths& paths, const ShadingPoints& shading, V t,
+                                 M point) const {
     const U light = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
                                        paths.from.last);
     const Numbers at_surface(light, s_.surfaces);
@@ -146,18 +147,20 @@ class LightPathWalk : Steps<Needs> {
     if (Needs::full && s_.any_mesh_light) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
       const M on_mesh = hn::AndNot(point, hn::And(first, is_from(s_.first_mesh, light)));
-      density = mesh_density(s_, spots.p, spots.n, light, paths.triangle, on_mesh, density);
+      density = mesh_density(s_, shading.p, shading.n, light, paths.triangle, on_mesh, density);
     }
-    V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, spots.p, t, paths.pdf);
+    V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, shading.p, t, paths.pdf);
     if (Needs::full && s_.point_lights()) pdf = select(point, hn::Mul(t, t), pdf);
     if (s_.lights == 1) return pdf;
     if (Needs::full && s_.choice.many()) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
-      return hn::Mul(pdf, chances_in_tree(s_.choice.tree, paths.light, spots.p, spots.n, first));
+      return hn::Mul(
+          pdf, probabilities_in_tree(s_.choice.tree, paths.light, shading.p, shading.n, first));
     }
     alignas(64) Weights weights;
-    const Chances chances = weigh_lights(s_.choice, spots.p, spots.n, weights);
-    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, spots.p, spots.n));
+    const LightProbabilities probabilities = weigh_lights(s_.choice, shading.p, shading.n, weights);
+    return hn::Mul(pdf,
+                   probability_of(s_.choice, probabilities, paths.light, shading.p, shading.n));
   }
   HWY_INLINE static M is_nowhere(const Origins& from) { return same(from.last, set_word(nothing)); }
   /// LaneScene::emission or point_emission.
@@ -169,17 +172,17 @@ class LightPathWalk : Steps<Needs> {
     return select(point, at_light(s_.point_emission.data()), emission);
   }
 
-  HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
-    return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
+  HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
+    const V back = this->reverse_pdf(surface, ratios.cosine, cosine, pdf);
+    return this->together(hn::Mul(ratios.factor, back), ratios.of_lights);
   }
 
   /// Adds the path's contribution to the pixel in which the camera sees its vertex.
   HWY_INLINE void join_camera(Paths& paths, const Surfaces& surface, Vertex& vertex,
-                              const Rivals& rivals) const {
-    const V3 way = eye_ - surface.p;
-    const V distance2 = dot(way, way), inverse = hn::Div(set(1), hn::Sqrt(distance2));
-    const V3 wi = inverse * way;
+                              const MisRatios& ratios) const {
+    const V3 to_eye = eye_ - surface.p;
+    const V distance2 = dot(to_eye, to_eye), inverse = hn::Div(set(1), hn::Sqrt(distance2));
+    const V3 wi = inverse * to_eye;
     const V cosine = dot(surface.n, wi);
     const carlo::Camera& c = job_.camera;
     const V ahead = hn::Neg(dot(wi, forward_));
@@ -190,17 +193,17 @@ class LightPathWalk : Steps<Needs> {
         hn::Mul(neg_mul_add(y, set(0.5f), set(0.5f)), set(static_cast<float>(job_.height)));
     const M seen = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(ahead, set(0))),
                            hn::And(hn::Lt(hn::Abs(x), set(1)), hn::Lt(hn::Abs(y), set(1))));
-    const M asked = hn::And(paths.alive, seen);
-    if (hn::AllFalse(d_, asked)) return;
-    counts_.rays += hn::CountTrue(d_, asked);
-    const Segments segment{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
-    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segment, asked);
+    const M active = hn::And(paths.alive, seen);
+    if (hn::AllFalse(d_, active)) return;
+    counts_.rays += hn::CountTrue(d_, active);
+    const Segments segments{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
+    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segments, active);
     if (hn::AllFalse(d_, clear)) return;
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const V by_camera = camera_density(job_, set(-1) * wi);
     const V cosine_by_area = hn::Mul(cosine, hn::Mul(inverse, inverse));
     const V from_camera =
-        hn::Mul(hn::Mul(by_camera, cosine_by_area), rival(rivals, surface, cosine, bsdf.pdf));
+        hn::Mul(hn::Mul(by_camera, cosine_by_area), mis_ratio(ratios, surface, cosine, bsdf.pdf));
     const V per_pixel =
         hn::Mul(by_camera, set(job_.choices.light_paths * static_cast<float>(job_.width) *
                                static_cast<float>(job_.height)));
@@ -215,29 +218,30 @@ class LightPathWalk : Steps<Needs> {
         hn::Add(hn::Mul(inside_y, set_word(static_cast<std::uint32_t>(job_.width))), inside_x);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const V3 wi = this->drawn(surface, u);
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
+                          const MisRatios& ratios) const {
+    const V3 wi = this->sample_wi(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
     const V weight = hn::Div(cosine, bsdf.pdf);
     paths.beta = paths.beta * (weight * bsdf.f);
-    paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), weight);
+    paths.mis_ratio = hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), weight);
     paths.d = wi;
   }
 
-  /// Records the correlation between the pixels that a path reaches.
-  HWY_INLINE void tie(Paths& paths, const V3& splat, M clear) const {
+  /// Adds the products of this splat and the path's earlier ones, from which the covariance of the
+  /// pixels that it reaches follows.
+  HWY_INLINE void add_splat_products(Paths& paths, const V3& splat, M clear) const {
     const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
     const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
-    paths.ties = mul_add(paths.brought, more, paths.ties);
-    paths.brought = hn::Add(paths.brought, more);
+    paths.splat_products = mul_add(paths.splat_luminance, more, paths.splat_products);
+    paths.splat_luminance = hn::Add(paths.splat_luminance, more);
   }
 
-  /// Rounds to whole units, up as often as the fraction demands (`up` is uniform in [0, 1)). Next
-  /// to a light 1e12 times as bright, the contribution of a weak one may be less than a unit and
-  /// must not be lost.
+  /// Rounds to whole units without bias (`up` is uniform in [0, 1)): beside a light 1e12 times as
+  /// bright, the contribution of a weak one may be less than a unit and must not be lost.
   std::int64_t units(float value, double up) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
@@ -253,7 +257,7 @@ class LightPathWalk : Steps<Needs> {
   V3 eye_, forward_, right_, up_;
 };
 
-/// Starts a path at a point of the lights in each of these lanes, which have none.
+/// Starts a path at a sampled point of the lights in each of these free lanes.
 template <class Needs>
 HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M starts, Paths& paths) {
   const LaneScene& s = job.whole.scene;
@@ -266,7 +270,7 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   const SinCos azimuth = turn(v.y);
   const V z = select(light.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
   const V r = hn::Sqrt(select(light.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
-  // A point light has no normal: any axis will do.
+  // A point light has no normal: any axis serves.
   const V3 axis = select(light.point, set(0, 0, 1), light.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
   const V3 beta = hn::Div(set(1), light.emission) * light.Le;
@@ -285,11 +289,11 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.from.clear = select(starts, clear, paths.from.clear);
   paths.d = select(starts, d, paths.d);
   paths.beta = select(starts, beta, paths.beta);
-  paths.brought = hn::IfThenZeroElse(starts, paths.brought);
-  paths.compressed = select(starts, max_element(beta), paths.compressed);
+  paths.splat_luminance = hn::IfThenZeroElse(starts, paths.splat_luminance);
+  paths.roulette_scale = select(starts, max_element(beta), paths.roulette_scale);
   paths.pdf = select(starts, select(light.point, set(-1), z), paths.pdf);
-  paths.rival =
-      select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)), paths.rival);
+  paths.mis_ratio = select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)),
+                           paths.mis_ratio);
   paths.light = hn::IfThenElse(starts_u, light.light, paths.light);
   paths.triangle = hn::IfThenElse(starts_u, light.triangle, paths.triangle);
   paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
@@ -298,36 +302,36 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.alive = hn::Or(paths.alive, starts);
 }
 
-/// Sums Paths::ties over a call's paths in the order of the paths, since the order in which they
-/// end depends on the number of lanes.
-class Ties {
+/// Sums Paths::splat_products over a call's paths in the order of the paths, since the order in
+/// which they end depends on the number of lanes.
+class SplatProducts {
  public:
-  explicit Ties(std::uint64_t paths) : ties_(paths + 1) {}
+  explicit SplatProducts(std::uint64_t paths) : products_(paths + 1) {}
 
   /// Marks lanes that have had no path yet.
-  std::uint32_t no_path() const { return static_cast<std::uint32_t>(ties_.size() - 1); }
+  std::uint32_t no_path() const { return static_cast<std::uint32_t>(products_.size() - 1); }
 
-  /// Stores the ties of the lanes whose paths have ended.
+  /// Stores those of the lanes whose paths have ended.
   HWY_INLINE void keep(const Paths& paths, M ended) {
-    alignas(64) std::array<float, lanes> ties;
+    alignas(64) std::array<float, lanes> products;
     alignas(64) std::array<std::uint32_t, lanes> number;
-    hn::Store(paths.ties, d_, ties.data());
+    hn::Store(paths.splat_products, d_, products.data());
     hn::Store(paths.number, du_, number.data());
     for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      ties_[number[lane]] = ties[lane];
+      products_[number[lane]] = products[lane];
     }
   }
 
   double sum() const {
     double sum = 0;
-    for (const float tie : ties_)
-      sum += static_cast<double>(tie);
+    for (const float product : products_)
+      sum += static_cast<double>(product);
     return sum;
   }
 
  private:
-  std::vector<float> ties_;
+  std::vector<float> products_;
 };
 
 /// trace_light_paths(). Refills lanes when a quarter of them are free.
@@ -338,9 +342,9 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
   auto paths = zeros<std::array<Paths, most>>();
-  Ties ties(job.count);
+  SplatProducts products(job.count);
   for (Paths& some : paths)
-    some.alive = hn::FirstN(d_, 0), some.number = set_word(ties.no_path());
+    some.alive = hn::FirstN(d_, 0), some.number = set_word(products.no_path());
   std::uint64_t next = job.first;
   const std::uint64_t end = job.first + job.count;
   for (std::uint64_t round = 0;; ++round) {
@@ -355,11 +359,11 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
         // Every block of 2^32 paths has a key of its own.
         const auto key = static_cast<std::uint32_t>(carlo::hash(job.whole.seed, ~(next >> 32)));
         const U index = hn::Add(place, set_word(static_cast<std::uint32_t>(next)));
-        ties.keep(paths[w], starts);
+        products.keep(paths[w], starts);
         const auto started = static_cast<std::uint32_t>(next - job.first);
         paths[w].number = hn::IfThenElse(hn::RebindMask(du_, starts),
                                          hn::Add(place, set_word(started)), paths[w].number);
-        paths[w].ties = hn::IfThenZeroElse(starts, paths[w].ties);
+        paths[w].splat_products = hn::IfThenZeroElse(starts, paths[w].splat_products);
         start_light_paths<Needs>(job, index, set_word(key), starts, paths[w]);
         next += taken;
         counts.light_paths += taken;
@@ -374,8 +378,8 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
       walk.extend(paths[0]);
   }
   for (std::size_t w = 0; w < registers; ++w)
-    ties.keep(paths[w], hn::FirstN(d_, lanes));
-  counts.light_path_ties += 2 * ties.sum() * walk.tie_unit();
+    products.keep(paths[w], hn::FirstN(d_, lanes));
+  counts.splat_covariance += 2 * products.sum() * walk.product_unit();
 }
 
 }  // namespace HWY_NAMESPACE

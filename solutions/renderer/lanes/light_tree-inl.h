@@ -52,9 +52,9 @@ class LightNode {
   /// False if none of its lights can contribute.
   bool some() const { return some_; }
   float lower(std::size_t c) const { return c == 0 ? 0 : upto_[c - 1]; }
-  float chance(std::size_t c) const { return upto_[c] - lower(c); }
+  float probability(std::size_t c) const { return upto_[c] - lower(c); }
 
-  /// The child that u, in [0, 1) and a multiple of 2^-24, falls to.
+  /// The child that u selects; u in [0, 1), a multiple of 2^-24.
   HWY_INLINE std::size_t at(float u) const {
     std::size_t below = 0;
     for (const V4& four : four_)
@@ -87,8 +87,8 @@ class LightNode {
     return weight;
   }
 
-  /// Running sums within every four lanes, each one the last plus a number: another order of
-  /// additions might let them fall.
+  /// Running sums within every four lanes, each the previous one plus a number: in another order of
+  /// additions they might decrease.
   static HWY_INLINE V sums_of_four(V v) {
     V sum = v;
     for (int k = 0; k < 3; ++k)
@@ -101,7 +101,7 @@ class LightNode {
   bool some_;
 };
 
-/// Points and normals, for code that takes the lanes one by one.
+/// Points and normals, for code that handles lanes one by one.
 struct LanePoints {
   LanePoints() = default;
   HWY_INLINE LanePoints(const V3& p, const V3& n) { set_point(p, n); }
@@ -119,7 +119,7 @@ HWY_INLINE V3 set(carlo::Vec3 v) {
   return set(v.x, v.y, v.z);
 }
 
-/// Where x lies between `lower` and lower + width, as a fraction below 1.
+/// The position of x between `lower` and lower + width, as a fraction below 1.
 inline double within(double x, float lower, float width) {
   if (!(width > 0)) return 0;
   return std::min((x - static_cast<double>(lower)) / static_cast<double>(width), 1 - 0x1p-53);
@@ -128,45 +128,45 @@ inline double within(double x, float lower, float width) {
 constexpr auto uniform_part = static_cast<float>(LightTree::floor);
 
 /// The probability with which a light is chosen at a point.
-HWY_INLINE float chance_in_tree(const LaneLightTree& tree, std::uint32_t light, const V3& p,
-                                const V3& n) {
+HWY_INLINE float probability_in_tree(const LaneLightTree& tree, std::uint32_t light, const V3& p,
+                                     const V3& n) {
   const LaneLightTree::Leaf leaf = tree.leaf_of[light];
-  float chance = 1 - uniform_part;
+  float probability = 1 - uniform_part;
   for (std::uint32_t node = leaf.node, place = leaf.place;;) {
-    chance *= LightNode(tree, node, p, n).chance(place);
-    if (node == 0 || chance == 0) break;
+    probability *= LightNode(tree, node, p, n).probability(place);
+    if (node == 0 || probability == 0) break;
     place = tree.nodes[node].place;
     node = tree.nodes[node].parent;
   }
-  return chance + uniform_part / static_cast<float>(tree.leaf_of.size());
+  return probability + uniform_part / static_cast<float>(tree.leaf_of.size());
 }
 
-/// The same for each of the lanes that are `asked`; 0 for the others.
-inline HWY_NOINLINE V chances_in_tree(const LaneLightTree& tree, U light, const V3& p, const V3& n,
-                                      M asked) {
+/// The same for each of the lanes that are `active`; 0 for the others.
+inline HWY_NOINLINE V probabilities_in_tree(const LaneLightTree& tree, U light, const V3& p,
+                                            const V3& n, M active) {
   const LanePoints lane(p, n);
   alignas(64) std::array<std::uint32_t, lanes> number;
-  alignas(64) std::array<float, lanes> chance{};
+  alignas(64) std::array<float, lanes> probability{};
   hn::Store(light, du_, number.data());
-  for (std::uint32_t left = bits(asked); left != 0; left &= left - 1) {
+  for (std::uint32_t left = bits(active); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    chance[i] = chance_in_tree(tree, number[i], set(lane.p(i)), set(lane.n(i)));
+    probability[i] = probability_in_tree(tree, number[i], set(lane.p(i)), set(lane.n(i)));
   }
-  return hn::Load(d_, chance.data());
+  return hn::Load(d_, probability.data());
 }
 
-/// Picks lights by u in [0, 1) and the random words `seed`, which extend it; u becomes uniform
-/// again. A chance of 0: no light that u leads to can contribute.
+/// Picks lights by u in [0, 1) and the random words `seed`, which extend it, and rescales u. A
+/// probability of 0: no light that u selects can contribute.
 inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, const V3& n, U seed,
-                                        M asked, V& u) {
+                                        M active, V& u) {
   const LanePoints lane(p, n);
-  alignas(64) std::array<float, lanes> digits, chance{};
+  alignas(64) std::array<float, lanes> digits, probability{};
   alignas(64) std::array<std::uint32_t, lanes> more, light{}, node{};
   std::array<double, lanes> x;
   hn::Store(u, d_, digits.data());
   hn::Store(mix(seed), du_, more.data());
   const auto count = static_cast<double>(tree.leaf_of.size());
-  const std::uint32_t wanted = bits(asked);
+  const std::uint32_t wanted = bits(active);
   std::uint32_t descends = 0;
   for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -177,23 +177,23 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
       light[i] = std::min(static_cast<std::uint32_t>(x[i]),
                           static_cast<std::uint32_t>(tree.leaf_of.size() - 1));
       x[i] -= light[i];
-      chance[i] = chance_in_tree(tree, light[i], set(lane.p(i)), set(lane.n(i)));
+      probability[i] = probability_in_tree(tree, light[i], set(lane.p(i)), set(lane.n(i)));
     } else {
       x[i] = (x[i] - uniform) / (1 - uniform);
-      chance[i] = 1 - uniform_part;
+      probability[i] = 1 - uniform_part;
       descends |= 1U << i;
     }
   }
-  // All lanes go down together, which keeps the processor busy: each waits long for its own sums.
+  // All lanes descend together, which hides the latency of each one's sums.
   while (descends != 0) {
     for (std::uint32_t left = descends; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       const LightNode here(tree, node[i], set(lane.p(i)), set(lane.n(i)));
       const auto step = static_cast<float>(static_cast<std::int32_t>(x[i] * 0x1p24)) * 0x1p-24f;
       const std::size_t c = here.at(step);
-      const float share = here.some() ? here.chance(c) : 0;
+      const float share = here.some() ? here.probability(c) : 0;
       const std::uint32_t child = tree.nodes[node[i]].child[c];
-      chance[i] *= share;
+      probability[i] *= share;
       x[i] = within(x[i], here.lower(c), share);
       if (share > 0 && (child & LaneLightTree::leaf) == 0) {
         node[i] = child;
@@ -201,13 +201,13 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
       }
       descends &= ~(1U << i);
       light[i] = child & ~LaneLightTree::leaf;
-      if (share > 0) chance[i] += uniform_part / static_cast<float>(count);
+      if (share > 0) probability[i] += uniform_part / static_cast<float>(count);
     }
   }
   for (std::size_t i = 0; i < lanes; ++i)
     digits[i] = (wanted >> i & 1) != 0 ? below_one(x[i]) : 0;
   u = hn::Load(d_, digits.data());
-  return {hn::Load(du_, light.data()), hn::Load(d_, chance.data())};
+  return {hn::Load(du_, light.data()), hn::Load(d_, probability.data())};
 }
 
 }  // namespace HWY_NAMESPACE

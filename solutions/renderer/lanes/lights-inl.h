@@ -85,18 +85,18 @@ HWY_INLINE V2 in_disk(V2 u) {
 }
 
 /// Emitting spheres, one per lane.
-struct Balls {
+struct SphereLights {
   V3 center;
   V radius;       ///< below 0: emits inwards
   V coordinates;  ///< LaneScene's
 };
-HWY_INLINE Balls balls(const LaneScene& s, const Numbers& at_surface) {
+HWY_INLINE SphereLights sphere_lights(const LaneScene& s, const Numbers& at_surface) {
   return {at_surface(s.cx, s.cy, s.cz), at_surface(s.radius.data()),
           at_surface(s.coordinates.data())};
 }
 
-/// The possible rounding error of a distance between a point and such a sphere.
-HWY_INLINE V blur(const Balls& ball, V3 p) {
+/// Bounds the rounding error of the distance between a point and such a sphere.
+HWY_INLINE V blur(const SphereLights& ball, V3 p) {
   return hn::Mul(set(rounding), hn::Add(coordinates(p), ball.coordinates));
 }
 
@@ -107,7 +107,7 @@ struct Cones {
   V distance, one_minus_cos;
   M seen;
 };
-HWY_INLINE Cones cone_of(const Balls& ball, V3 p) {
+HWY_INLINE Cones cone_of(const SphereLights& ball, V3 p) {
   const V3 to_center = ball.center - p;
   const V distance2 = dot(to_center, to_center), distance = hn::Sqrt(distance2);
   const V sin2 = hn::Min(hn::Div(hn::Mul(ball.radius, ball.radius), distance2), set(1));
@@ -118,7 +118,8 @@ HWY_INLINE Cones cone_of(const Balls& ball, V3 p) {
 
 /// The near point in a direction of the cone, or any point of a sphere that emits inwards. Whether
 /// that is behind the sphere itself, or whether rounding hides that it faces p, is tested later.
-HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoints& points) {
+HWY_INLINE void sample_spheres(const SphereLights& ball, V3 p, V2 u, M chosen,
+                               LightPoints& points) {
   const Cones cone = cone_of(ball, p);
   const M outwards = hn::Gt(ball.radius, set(0));
   // 1 - cos is uniform.
@@ -146,7 +147,7 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
 
-/// Values that only scalar code can compute, for some lanes.
+/// Inputs of scalar code, for lanes whose lights are meshes.
 struct LaneColumns : LanePoints {
   alignas(64) std::array<float, lanes> ux, uy;
   alignas(64) std::array<std::uint32_t, lanes> surface, triangle;
@@ -158,8 +159,8 @@ struct LaneColumns : LanePoints {
 
 /// Samples points on lights that are meshes, for the lanes that chose one; `draw` samples one lane.
 template <class Draw>
-HWY_INLINE void take_from_meshes(const LaneScene& s, const LaneColumns& lane, M chosen,
-                                 LightPoints& light, const Draw& draw) {
+HWY_INLINE void sample_lane_by_lane(const LaneScene& s, const LaneColumns& lane, M chosen,
+                                    LightPoints& light, const Draw& draw) {
   PointColumns points{};
   alignas(64) std::array<float, lanes> area{};
   alignas(64) std::array<std::uint32_t, lanes> triangle{};
@@ -184,7 +185,7 @@ inline HWY_NOINLINE void sample_meshes(const LaneScene& s, const V3& p, const V3
   lane.set_point(p, n);
   hn::Store(u.x, d_, lane.ux.data()), hn::Store(u.y, d_, lane.uy.data());
   hn::Store(light.surface, du_, lane.surface.data());
-  take_from_meshes(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
+  sample_lane_by_lane(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
     return mesh.sample(lane.p(i), lane.n(i), {lane.ux[i], lane.uy[i]});
   });
 }
@@ -194,7 +195,7 @@ inline HWY_NOINLINE void start_on_meshes(const LaneScene& s, V2 u, M chosen, Lig
   LaneColumns lane;
   hn::Store(u.x, d_, lane.ux.data()), hn::Store(u.y, d_, lane.uy.data());
   hn::Store(light.surface, du_, lane.surface.data());
-  take_from_meshes(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
+  sample_lane_by_lane(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
     return mesh.sample({lane.ux[i], lane.uy[i]});
   });
 }
@@ -226,10 +227,10 @@ HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& point
   points.solid_angle = select(beyond, hn::Div(set(1), sky.texel.pdf), points.solid_angle);
 }
 
-/// Points of the lights `index`. `on_balls` samples spheres, `on_meshes` meshes, and `on_sky` the
+/// Points of the lights `index`. `on_spheres` samples spheres, `on_meshes` meshes, and `on_sky` the
 /// environment map.
-template <bool full, bool light_paths, class OnBalls, class OnMeshes, class OnSky>
-HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBalls& on_balls,
+template <bool full, bool light_paths, class OnSpheres, class OnMeshes, class OnSky>
+HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnSpheres& on_spheres,
                                   const OnMeshes& on_meshes, const OnSky& on_sky) {
   const Numbers light(index, s.lights);
   const U surface = light(s.light_surface.data());
@@ -250,7 +251,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
   }
   if constexpr (full || light_paths) points.surface = surface;
   if (full && s.sphere_lights) {
-    on_balls(balls(s, at_surface), u, is_sphere(s, surface), points);
+    on_spheres(sphere_lights(s, at_surface), u, is_sphere(s, surface), points);
   }
   if (full && s.meshes) {
     points.error = rounding_of(points.p);
@@ -285,33 +286,33 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
 }
 
 /// Chooses lights for points p of surfaces with normals n and samples them as seen from there;
-/// `chances` receives the probabilities of the choice if there are several. `seed`: a random word
-/// for each lane. Lanes that are not alive may be left out.
+/// `probabilities` receives the probabilities of the choice if there are several. `seed`: a random
+/// word for each lane. Lanes that are not alive may be left out.
 template <bool full, bool light_paths>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed, M alive,
-                                    Chances& chances) {
+                                    LightProbabilities& probabilities) {
   if (!full && s.lights == 1) return sample_only_light<light_paths>(s, u);
   Picked picked{set_word(0), set(1)};
   if (full && s.choice.many()) {
     picked = pick_in_tree(s.choice.tree, p, n, seed, alive, u.x);
   } else if (s.lights > 1) {
     alignas(64) Weights weights;
-    chances = weigh_lights(s.choice, p, n, weights);
-    picked = pick_light(s.choice, weights, chances, seed, u.x);
+    probabilities = weigh_lights(s.choice, p, n, weights);
+    picked = pick_light(s.choice, weights, probabilities, seed, u.x);
   }
   LightPoints points = draw_light<full, light_paths>(
       s, picked.index, u,
-      [&](const Balls& ball, V2 place, M chosen, LightPoints& light)
-          HWY_ATTR { sample_balls(ball, p, place, chosen, light); },
+      [&](const SphereLights& ball, V2 place, M chosen, LightPoints& light)
+          HWY_ATTR { sample_spheres(ball, p, place, chosen, light); },
       [&](V2 place, M chosen, LightPoints& light)
           HWY_ATTR { sample_meshes(s, p, n, place, chosen, light); },
       [&](V2 place, LightPoints& light) HWY_ATTR { sample_beyond(s, p, place, light); });
   if (s.lights == 1) return points;
-  V per_chance = hn::Div(set(1), picked.chance);
+  V per_probability = hn::Div(set(1), picked.probability);
   if (full && s.choice.many())
-    per_chance = hn::IfThenElseZero(hn::Gt(picked.chance, set(0)), per_chance);
-  points.area = hn::Mul(points.area, per_chance);
-  points.solid_angle = hn::Mul(points.solid_angle, per_chance);
+    per_probability = hn::IfThenElseZero(hn::Gt(picked.probability, set(0)), per_probability);
+  points.area = hn::Mul(points.area, per_probability);
+  points.solid_angle = hn::Mul(points.solid_angle, per_probability);
   return points;
 }
 
@@ -321,7 +322,7 @@ HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
   const U index = pick_start<full>(s.choice, s.lights, u.x);
   return draw_light<full, true>(
       s, index, u,
-      [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
+      [&](const SphereLights& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
         const V z = neg_mul_add(place.x, set(2), set(1));
         const V r = hn::Sqrt(hn::Max(neg_mul_add(z, z, set(1)), set(0)));
         const SinCos azimuth = turn(place.y);
@@ -335,12 +336,12 @@ HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
 }
 
 /// The probability with which sample_light() chooses a light at points p of surfaces with normals
-/// n, where `chances` is what it returned.
+/// n, where `probabilities` is what it returned.
 template <bool full>
-HWY_INLINE V chance_of_light(const LaneScene& s, const Chances& chances, U light, const V3& p,
-                             const V3& n, M asked) {
-  if (full && s.choice.many()) return chances_in_tree(s.choice.tree, light, p, n, asked);
-  return chance_of(s.choice, chances, light, p, n);
+HWY_INLINE V probability_of_light(const LaneScene& s, const LightProbabilities& probabilities,
+                                  U light, const V3& p, const V3& n, M asked) {
+  if (full && s.choice.many()) return probabilities_in_tree(s.choice.tree, light, p, n, asked);
+  return probability_of(s.choice, probabilities, light, p, n);
 }
 
 /// The density per solid angle with which sample_light() draws, at p, the point that the ray from
@@ -352,7 +353,7 @@ HWY_INLINE V light_pdf(const LaneScene& s, const Numbers& at_surface, U surface,
   const V by_area = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
   if (!full || !s.sphere_lights) return by_area;
   const M ball = is_sphere(s, surface);
-  const Balls of_ball = balls(s, at_surface);
+  const SphereLights of_ball = sphere_lights(s, at_surface);
   const Cones cone = cone_of(of_ball, p);
   const M outwards = hn::Gt(of_ball.radius, set(0));
   const V by_direction = hn::Div(density, cone.one_minus_cos);

@@ -1,4 +1,4 @@
-// Marches along rays to where a signed distance function changes its sign. Included once for each
+// Marches along rays until a signed distance function changes its sign. Included once for each
 // instruction set.
 
 #if defined(CARLO_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
@@ -31,13 +31,13 @@ using DF = hn::Rebind<float, DD>;
 using VF = hn::Vec<DF>;
 using MF = hn::Mask<DF>;
 constexpr DF df_;
-HWY_INLINE VF few(float x) {
+HWY_INLINE VF in_float(float x) {
   return hn::Set(df_, x);
 }
-HWY_INLINE VF few(VD x) {
+HWY_INLINE VF in_float(VD x) {
   return hn::DemoteTo(df_, x);
 }
-HWY_INLINE VD many(VF x) {
+HWY_INLINE VD in_double(VF x) {
   return hn::PromoteTo(dd_, x);
 }
 
@@ -57,10 +57,10 @@ struct Marching {
   VF back, back_reach;  ///< F'' <= back where F > -back_reach
 
   /// Bounds of second derivatives, by the side that rays are on.
-  HWY_INLINE void take_bends(const LaneSdf& sdf) {
+  HWY_INLINE void set_bends(const LaneSdf& sdf) {
     const MD outside = hn::Gt(side, number(0));
     const auto of = [&](double below, double above) HWY_ATTR {
-      return few(hn::IfThenElse(outside, number(below), number(above)));
+      return in_float(hn::IfThenElse(outside, number(below), number(above)));
     };
     bend = of(sdf.below.most, sdf.above.most);
     reach = of(sdf.below.reach, sdf.above.reach);
@@ -68,57 +68,59 @@ struct Marching {
     back_reach = of(sdf.above.reach, sdf.below.reach);
   }
 
-  /// No root is nearer than this: up to there, F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
+  /// A distance h without a root: up to there F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
   /// such bound holds.
-  HWY_INLINE VF free_way() const {
-    const VF f_here = few(f), known = hn::Max(hn::Sub(f_here, few(fine)), few(0));
+  HWY_INLINE VF safe_step() const {
+    const VF f_here = in_float(f), known = hn::Max(hn::Sub(f_here, in_float(fine)), in_float(0));
     const VF root = hn::Sqrt(hn::Add(hn::Mul(low, low), hn::Mul(hn::Add(bend, bend), known)));
     // The form of the quadratic's root that avoids a difference.
-    const MF rising = hn::Ge(low, few(0));
-    const VF way = hn::Div(hn::IfThenElse(rising, hn::Add(low, root), hn::Add(known, known)),
-                           hn::IfThenElse(rising, bend, hn::Sub(root, low)));
-    return hn::Min(hn::Mul(way, few(1 - 1e-5F)), hn::Sub(reach, f_here));
+    const MF rising = hn::Ge(low, in_float(0));
+    const VF length = hn::Div(hn::IfThenElse(rising, hn::Add(low, root), hn::Add(known, known)),
+                              hn::IfThenElse(rising, bend, hn::Sub(root, low)));
+    return hn::Min(hn::Mul(length, in_float(1 - 1e-5F)), hn::Sub(reach, f_here));
   }
 
-  /// Beyond this F has changed its sign, once: until then F' <= high + back h < 0. 0 where that is
-  /// not known.
-  HWY_INLINE VF way_across() const {
-    const VF at_most = few(hn::Add(f, fine)), square = hn::Mul(high, high);
+  /// A distance h within which F has changed its sign exactly once: up to there F' <= high + back h
+  /// < 0. 0 where that is not known.
+  HWY_INLINE VF crossing_step() const {
+    const VF at_most = in_float(hn::Add(f, fine)), square = hn::Mul(high, high);
     const VF rest = hn::Sub(square, hn::Mul(hn::Add(back, back), at_most));
-    const VF way =
-        hn::Div(hn::Mul(few(2 + 2e-4F), at_most), hn::Sub(hn::Sqrt(hn::Max(rest, few(0))), high));
-    const MF falls = hn::And(hn::Lt(high, few(0)), hn::Gt(rest, hn::Mul(few(0.01F), square)));
-    return hn::IfThenElseZero(hn::And(falls, hn::Lt(hn::Sub(way, at_most), back_reach)), way);
+    const VF length = hn::Div(hn::Mul(in_float(2 + 2e-4F), at_most),
+                              hn::Sub(hn::Sqrt(hn::Max(rest, in_float(0))), high));
+    const MF falls =
+        hn::And(hn::Lt(high, in_float(0)), hn::Gt(rest, hn::Mul(in_float(0.01F), square)));
+    return hn::IfThenElseZero(hn::And(falls, hn::Lt(hn::Sub(length, at_most), back_reach)), length);
   }
 
-  /// Learns about F' at the end of a step from the values of F at both ends.
-  HWY_INLINE void learn(VD way, VD next, MD stands) {
-    const VF h = few(way), per_h = hn::Div(few(1), h);
-    const VF rise = hn::Mul(few(hn::Sub(next, f)), per_h);
-    const VF sum = few(hn::Add(next, f)), error = hn::Add(hn::Mul(few(fine), per_h), few(1e-6F));
-    const auto changes = [h](VF of) HWY_ATTR { return hn::Mul(hn::Mul(few(0.5F), of), h); };
-    // On the way F is at most (f + next + h) / 2 and at least (f + next - h) / 2.
+  /// Updates the bounds of F' at the end of a step from the values of F at both ends.
+  HWY_INLINE void update_slopes(VD length, VD next, MD accepted) {
+    const VF h = in_float(length), per_h = hn::Div(in_float(1), h);
+    const VF rise = hn::Mul(in_float(hn::Sub(next, f)), per_h);
+    const VF sum = in_float(hn::Add(next, f)),
+             error = hn::Add(hn::Mul(in_float(fine), per_h), in_float(1e-6F));
+    const auto changes = [h](VF of) HWY_ATTR { return hn::Mul(hn::Mul(in_float(0.5F), of), h); };
+    // Along the step F is at most (f + next + h) / 2 and at least (f + next - h) / 2.
     const VF below = hn::Sub(rise, hn::Add(changes(bend), error));
     const VF above = hn::Add(rise, hn::Add(changes(back), error));
     const MF near = hn::Lt(hn::Add(sum, h), hn::Add(reach, reach));
-    const MF near_back = hn::Gt(hn::Sub(sum, h), hn::Mul(few(-2), back_reach));
-    const VF new_low = hn::IfThenElse(near, hn::Max(below, few(-1)), few(-1));
-    const VF new_high = hn::IfThenElse(near_back, hn::Min(above, few(1)), few(1));
-    const VF mean = hn::Add(hn::Mul(few(0.3F), rise), hn::Mul(few(0.7F), slope));
-    const MF moved = hn::Gt(few(hn::IfThenElseZero(stands, number(1))), few(0));
+    const MF near_back = hn::Gt(hn::Sub(sum, h), hn::Mul(in_float(-2), back_reach));
+    const VF new_low = hn::IfThenElse(near, hn::Max(below, in_float(-1)), in_float(-1));
+    const VF new_high = hn::IfThenElse(near_back, hn::Min(above, in_float(1)), in_float(1));
+    const VF mean = hn::Add(hn::Mul(in_float(0.3F), rise), hn::Mul(in_float(0.7F), slope));
+    const MF moved = hn::Gt(in_float(hn::IfThenElseZero(accepted, number(1))), in_float(0));
     low = hn::IfThenElse(moved, new_low, low);
     high = hn::IfThenElse(moved, new_high, high);
-    slope = hn::IfThenElse(moved, hn::Min(mean, few(0.5F)), few(-1));
+    slope = hn::IfThenElse(moved, hn::Min(mean, in_float(0.5F)), in_float(-1));
   }
 };
 
-/// SphereTracer::first_root() in lanes, up to values of F of different signs; knowledge about F's
-/// slope and its changes lengthens the steps. A lane whose ray has ended takes the next.
+/// SphereTracer::first_root() in lanes, until two values of F have different signs; bounds on F's
+/// slope and curvature lengthen the steps. A lane whose ray has ended starts the next.
 class March {
  public:
   HWY_INLINE March(const LaneSdf& sdf, SdfRays& rays) : sdf_(sdf), rays_(rays) {}
 
-  /// Collects the rays that reach such values and returns their number.
+  /// Collects the rays for which F changes its sign and returns their number.
   HWY_INLINE std::size_t run(SdfRays::Row<std::int64_t>& found) {
     auto all = zeros<std::array<Marching, ways>>();
     std::size_t count = 0;
@@ -153,10 +155,10 @@ class March {
     MD certain;  ///< no root is missed, except two within a least step
   };
 
-  /// Where to evaluate F next.
+  /// The point at which to evaluate F next.
   HWY_INLINE Stride stride(const Marching& m) const {
-    const VD across = many(m.way_across()), free = many(m.free_way());
-    const VD relaxed = hn::Mul(m.f, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
+    const VD across = in_double(m.crossing_step()), free = in_double(m.safe_step());
+    const VD relaxed = hn::Mul(m.f, in_double(hn::Div(in_float(2), hn::Sub(in_float(1), m.slope))));
     const MD crosses = hn::Gt(across, number(0));
     const VD sure = hn::Max(hn::IfThenElse(crosses, across, free), m.least);
     const VD step = hn::IfThenElse(crosses, sure, hn::Max(relaxed, sure));
@@ -164,22 +166,22 @@ class March {
     return {hn::IfThenElse(m.fresh, m.s, to), hn::Ge(sure, step)};
   }
 
-  /// Takes the value of F there; returns how many rays cross the surface on the way.
+  /// Advances by F's value there; returns the number of rays that crossed the surface.
   HWY_INLINE std::size_t step(Marching& m, const Stride& stride, VD value, std::int64_t* found) {
-    const VD x = stride.to, way = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
-    const MD walking = hn::AndNot(m.fresh, m.going);
-    // A step longer than the safe one stands if the balls around both ends leave no gap.
-    const MD daring = hn::AndNot(stride.certain, hn::Gt(many(m.slope), number(-1)));
-    const MD gap = hn::And(walking, hn::And(daring, hn::Gt(way, hn::Add(m.f, f))));
-    const MD stands = hn::AndNot(gap, walking);
-    const MD crossed = hn::And(stands, hn::Lt(f, number(0)));
+    const VD x = stride.to, length = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
+    const MD marching = hn::AndNot(m.fresh, m.going);
+    // A step longer than the safe one is accepted if the balls around both ends leave no gap.
+    const MD uncertain = hn::AndNot(stride.certain, hn::Gt(in_double(m.slope), number(-1)));
+    const MD gap = hn::And(marching, hn::And(uncertain, hn::Gt(length, hn::Add(m.f, f))));
+    const MD accepted = hn::AndNot(gap, marching);
+    const MD crossed = hn::And(accepted, hn::Lt(f, number(0)));
     std::size_t crossings = 0;
     if (!hn::AllFalse(dd_, crossed)) crossings = keep(m, crossed, x, value, found);
-    const MD over = hn::AndNot(hn::Lt(x, m.end), stands);  // NaN ends the march, too
+    const MD over = hn::AndNot(hn::Lt(x, m.end), accepted);  // NaN ends the march, too
     m.going = hn::AndNot(hn::Or(crossed, over), m.going);
-    m.learn(way, f, stands);
-    m.s = hn::IfThenElse(stands, x, m.s);
-    m.f = hn::IfThenElse(stands, f, m.f);
+    m.update_slopes(length, f, accepted);
+    m.s = hn::IfThenElse(accepted, x, m.s);
+    m.f = hn::IfThenElse(accepted, f, m.f);
     if (!hn::AllFalse(dd_, m.fresh)) start(m, value);
     m.steps = hn::Add(m.steps, number(1));
     const MD slow = hn::Ge(m.steps, number(carlo::SphereTracer::steps_to_doubling));
@@ -234,12 +236,12 @@ class March {
     const VD side = hn::IfThenElse(outside, number(1), number(-1));
     m.side = hn::IfThenElse(m.fresh, side, m.side);
     m.f = hn::IfThenElse(m.fresh, f, m.f);
-    m.take_bends(sdf_);
+    m.set_bends(sdf_);
     // Far from the surface, slopes are not worth a gradient.
     along = hn::Mul(along, m.side);
     const auto bound = [&](double error, double none, VF known) HWY_ATTR {
       const VD slope = hn::IfThenElse(near, hn::Add(along, number(error)), number(none));
-      return few(hn::IfThenElse(m.fresh, slope, many(known)));
+      return in_float(hn::IfThenElse(m.fresh, slope, in_double(known)));
     };
     m.low = bound(-1e-6, -1, m.low);
     m.high = bound(1e-6, 1, m.high);

@@ -1,5 +1,4 @@
-// Meshes among a scene's surfaces: finds the triangles that a register of rays meets. Included once
-// for each instruction set.
+// Intersects a register of rays with the scene's meshes. Included once for each instruction set.
 
 #if defined(CARLO_MESH_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_MESH_HITS_INL
@@ -37,12 +36,12 @@ HWY_INLINE void store(V3 o, V3 d, V t, carlo::MeshRays& rays) {
 }
 
 /// Updates `hits` with nearer triangles, for the wanted rays o + t d.
-inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
-                                     carlo::MeshRays& rays, Hits& hits) {
+inline HWY_NOINLINE void intersect_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
+                                          carlo::MeshRays& rays, Hits& hits) {
   store(o, d, hits.t, rays);
   const M met = mask_of(s.meshes->intersect(rays, bits(wanted)));
-  take(hits, met, hn::Load(d_, rays.t.data()),
-       hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
+  keep_nearer(hits, met, hn::Load(d_, rays.t.data()),
+              hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
 }
 
 /// One column per coordinate.
@@ -77,13 +76,13 @@ inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRa
 
 /// Removes the lanes whose segment from o to `to`, up to the given share of its length, is blocked
 /// by a mesh.
-inline HWY_NOINLINE void block_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
-                                         M& clear) {
+inline HWY_NOINLINE void occlude_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
+                                           M& clear) {
   if (hn::AllFalse(d_, clear)) return;
   carlo::MeshRays rays;
-  const V3 way = to - o;
-  const V distance = hn::Sqrt(dot(way, way));
-  store(o, hn::Div(set(1), distance) * way, hn::Mul(distance, share), rays);
+  const V3 offset = to - o;
+  const V distance = hn::Sqrt(dot(offset, offset));
+  store(o, hn::Div(set(1), distance) * offset, hn::Mul(distance, share), rays);
   clear = hn::AndNot(mask_of(s.meshes->occluded(rays, bits(clear))), clear);
 }
 

@@ -1,4 +1,4 @@
-// Paths in progress, one in each lane. Included once for each instruction set.
+// Camera paths in progress, one in each lane. Included once for each instruction set.
 
 #if defined(CARLO_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_PATHS_INL
@@ -31,13 +31,13 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Paths from the camera.
+/// Traces camera paths.
 template <class Needs>
 class Walk : Steps<Needs> {
  public:
   HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts) : Steps<Needs>(job, counts) {}
 
-  /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
+  /// Follows every path's ray to the next surface, gathers light there and samples the next ray.
   HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
@@ -57,30 +57,31 @@ class Walk : Steps<Needs> {
     if (hn::AllFalse(d_, paths.alive)) return;
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
-    const Spots spots = this->locate(paths, vertex, number, found);
-    add_emission(paths, vertex, spots);
-    if (!this->survives(paths, spots)) return;
-    this->arrive(paths, spots, vertex);
-    const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
+    const ShadingPoints shading = this->locate(paths, vertex, number, found);
+    add_emission(paths, vertex, shading);
+    if (!this->survives(paths, shading)) return;
+    this->arrive(paths, shading, vertex);
+    const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
-    V rival_there = zeros<V>();
+    V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
-      specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
+      specular = this->reflect_some(paths, shading, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;
       // No light path has its second to last vertex on these surfaces.
       if constexpr (Needs::light_paths)
-        rival_there = hn::IfThenZeroElse(rivals.first, this->turn_rival(paths.rival, spots, next));
+        next_mis_ratio = hn::IfThenZeroElse(
+            ratios.first, this->mis_ratio_after_specular(paths.mis_ratio, shading, next));
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
-      const Surfaces surface = this->surface_at(paths.d, spots);
-      if (s_.lights > 0) add_direct(paths, surface, vertex, rivals);
-      scatter(paths, surface, vertex.u_lobe, rivals);
+      const Surfaces surface = this->surface_at(paths.d, shading);
+      if (s_.lights > 0) add_direct(paths, surface, vertex, ratios);
+      scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular)
-      pass_on(paths, specular, next, spots, vertex.error, rival_there);
+      pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
     if (Needs::full && s_.any_specular)
-      this->roulette(paths, paths.compressed);
+      this->roulette(paths, paths.roulette_scale);
     else
       this->roulette(paths);
   }
@@ -94,23 +95,23 @@ class Walk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser than this path's technique is that of light paths for which this vertex
-  /// is the second to last: `factor` times the density of the way back by the vertex's BRDF, or
-  /// `factor` alone at the first vertex (lane_kernel.h, "Light paths").
-  struct Rivals {
+  /// The density of light paths whose second to last vertex is this one, over that of this path:
+  /// `factor` times the BRDF's pdf of the reverse direction, or `factor` alone at the first vertex
+  /// (lane_kernel.h, LightPathJob).
+  struct MisRatios {
     V factor;
     M first;
     V cosine;  ///< of arrival
   };
-  HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const ShadingPoints& shading, V t) const {
     if constexpr (!Needs::light_paths) return {set(0), hn::FirstN(d_, 0), set(0)};
     const M first = same(paths.depth, set_word(1));
-    const V factor = hn::Div(paths.rival, spots.cosine);
-    return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, spots.cosine};
+    const V factor = hn::Div(paths.mis_ratio, shading.cosine);
+    return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, shading.cosine};
   }
-  HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
-    return select(rivals.first, rivals.factor, hn::Mul(rivals.factor, back));
+  HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
+    const V back = this->reverse_pdf(surface, ratios.cosine, cosine, pdf);
+    return select(ratios.first, ratios.factor, hn::Mul(ratios.factor, back));
   }
 
   HWY_INLINE void add_sky(Paths& paths, M lost) const {
@@ -119,49 +120,52 @@ class Walk : Steps<Needs> {
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
-  /// The rays' radiance from the environment map, weighted against light sampling. No light
-  /// path starts there.
+  /// The environment map's radiance along the rays, weighted against light sampling. No light path
+  /// starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
     V chosen = set(1);
     if (s_.choice.many())
-      chosen = chances_in_tree(s_.choice.tree, set_word(s_.sky_light), paths.from.o, paths.n, lost);
+      chosen = probabilities_in_tree(s_.choice.tree, set_word(s_.sky_light), paths.from.o, paths.n,
+                                     lost);
     else if (s_.lights > 1)
-      chosen = chance(paths.chances, sky_weight(s_.choice), set(1));
+      chosen = probability(paths.probabilities, sky_weight(s_.choice), set(1));
     const V by_light = hn::Div(hn::Mul(chosen, texels.pdf), paths.pdf);
     const M whole = hn::Lt(paths.pdf, set(0));
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
   }
 
   /// Adds emission at the hits, weighted against light sampling and light paths.
-  HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex, const Spots& spots) const {
+  HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex,
+                               const ShadingPoints& shading) const {
     if (s_.lights == 0) return;
-    M bright = hn::And(spots.front, paths.alive);
+    M bright = hn::And(shading.front, paths.alive);
     if (s_.lights == 1 && !(Needs::full && s_.other_lights())) {
-      bright = hn::And(bright, same(spots.number, set_word(s_.light_surface[0])));
+      bright = hn::And(bright, same(shading.number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
-    const Numbers& at_surface = spots.at_surface;
+    const Numbers& at_surface = shading.at_surface;
     V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
     const M whole = hn::Lt(paths.pdf, set(0));
     if (Needs::full && s_.any_mesh_light) {
-      const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, spots.number)));
-      density = mesh_density(s_, paths.from.o, paths.n, spots.number,
+      const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, shading.number)));
+      density = mesh_density(s_, paths.from.o, paths.n, shading.number,
                              hn::Load(du_, vertex.of_mesh.triangle.data()), on_mesh, density);
     }
-    V pdf = light_pdf<Needs::full>(s_, at_surface, spots.number, density, paths.from.o,
-                                   vertex.hits.t, spots.cosine);
+    V pdf = light_pdf<Needs::full>(s_, at_surface, shading.number, density, paths.from.o,
+                                   vertex.hits.t, shading.cosine);
     if (s_.lights > 1) {
       const U light = at_surface(s_.light_of.data());
-      pdf = hn::Mul(pdf, chance_of_light<Needs::full>(s_, paths.chances, light, paths.from.o,
+      pdf = hn::Mul(pdf,
+                    probability_of_light<Needs::full>(s_, paths.probabilities, light, paths.from.o,
                                                       paths.n, hn::AndNot(whole, bright)));
     }
     V weight;
     if constexpr (Needs::light_paths) {
       const V by_light = hn::IfThenZeroElse(whole, hn::Div(pdf, paths.pdf));
-      const V from_light = hn::Mul(paths.rival, at_surface(s_.emission.data()));
+      const V from_light = hn::Mul(paths.mis_ratio, at_surface(s_.emission.data()));
       const M straight = same(paths.depth, set_word(1));
       weight = this->weigh(by_light, hn::IfThenZeroElse(straight, from_light));
     } else {
@@ -171,19 +175,22 @@ class Walk : Steps<Needs> {
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 
-  HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
-                          V3 error, V rival_there) const {
-    this->continue_paths(paths, specular, next, spots, error);
+  HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next,
+                          const ShadingPoints& shading, V3 error, V next_mis_ratio) const {
+    this->continue_paths(paths, specular, next, shading, error);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
-    paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
-    if constexpr (Needs::light_paths) paths.rival = select(specular, rival_there, paths.rival);
+    paths.roulette_scale =
+        select(specular, hn::Mul(paths.roulette_scale, next.eta2), paths.roulette_scale);
+    if constexpr (Needs::light_paths)
+      paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const V3 wi = this->drawn(surface, u);
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
+                          const MisRatios& ratios) const {
+    const V3 wi = this->sample_wi(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
     const V weight = this->lobes() ? hn::Div(cosine, bsdf.pdf) : set(pi);
@@ -191,16 +198,17 @@ class Walk : Steps<Needs> {
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
     if constexpr (Needs::light_paths)
-      paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
+      paths.mis_ratio =
+          hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
   }
 
-  /// Adds light that arrives directly from points drawn on the lights.
+  /// Adds direct light from points sampled on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
-                             const Rivals& rivals) const {
+                             const MisRatios& ratios) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
     const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
-        paths.alive, paths.chances);
+        paths.alive, paths.probabilities);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;
@@ -217,9 +225,9 @@ class Walk : Steps<Needs> {
                             hn::And(paths.alive, elsewhere));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
-    const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
-    const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Segments segments{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
+    const M clear = unoccluded<Needs::close, Needs::full>(s_, segments, faces);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     // `solid_angle` is one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
     if (Needs::full && (s_.sphere_lights || s_.sky))
@@ -229,7 +237,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     V share;
     if constexpr (Needs::light_paths) {
-      const V before = rival(rivals, surface, cosine, bsdf.pdf);
+      const V before = mis_ratio(ratios, surface, cosine, bsdf.pdf);
       share = this->weigh(ratio,
                           hn::Mul(hn::Mul(before, cosine), hn::Mul(solid_angle, light.emission)));
     } else {
@@ -246,14 +254,13 @@ class Walk : Steps<Needs> {
     }
   }
 
-  /// As in carlo::shadow_ray(), the segment ends in front of the surface that the light is fixed
-  /// to.
-  HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
+  /// As in carlo::shadow_ray(), the segment ends in front of the surface that carries the light.
+  HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& segment) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
-    way.to = s_.point_lights() ? select(light.point, light.p, before) : before;
-    if (s_.sky) way.to = select(light.beyond, light.p, way.to);
+    segment.to = s_.point_lights() ? select(light.point, light.p, before) : before;
+    if (s_.sky) segment.to = select(light.beyond, light.p, segment.to);
     if (s_.any_mesh_light)
-      way.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
+      segment.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
   }
 };
 

@@ -36,13 +36,13 @@ HWY_INLINE M mask_of(std::uint32_t bits) {
   return differs(hn::And(of_lane, set_word(bits)), set_word(0));
 }
 
-/// Where rays start: on surfaces, or at the camera.
+/// Origins of rays: on surfaces, or at the camera.
 struct Origins {
   V3 o;
   V3 arrival;  ///< the direction in which the path arrived; 0 for the camera
   U last;      ///< the surface; `nothing` for the camera
   U plane;     ///< its plane (LaneScene::plane)
-  M through;   ///< true if the ray continues behind the surface, through glass
+  M through;   ///< true if the ray was refracted through the surface
   V3 clear;    ///< o as moved by carlo::offset_origin(), for sdfs and meshes
 
   /// The plane that the ray starts on; unless the scene is `close`, planes are the surfaces' own.
@@ -52,12 +52,12 @@ struct Origins {
   }
 };
 
-/// A surface's number and its distance.
+/// The surface hit, and its distance.
 struct Hits {
   V t;
   U surface;
 };
-HWY_INLINE void take(Hits& hits, M nearer, V t, U surface) {
+HWY_INLINE void keep_nearer(Hits& hits, M nearer, V t, U surface) {
   hits.t = select(nearer, t, hits.t);
   hits.surface = hn::IfThenElse(hn::RebindMask(du_, nearer), surface, hits.surface);
 }

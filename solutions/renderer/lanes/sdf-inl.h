@@ -151,7 +151,7 @@ HWY_INLINE Wave wave(VD u) {
   c = next(next(c, -2.75573143513906633035e-07), 2.48015872894767294178e-05);
   c = next(next(c, -1.38888888888741095749e-03), 4.16666666666666019037e-02);
   c = next(next(c, -0.5), 1);
-  // Which quarter, from 0 to 3: the sine changes its sign in 2 and 3, the cosine in 1 and 2.
+  // The number of the quarter, 0 to 3: the sine changes its sign in 2 and 3, the cosine in 1 and 2.
   const VD quarter = neg_mul_add(number(4), hn::Floor(hn::Mul(quarters, number(0.25))), quarters);
   const MD odd = hn::Eq(hn::Abs(hn::Sub(quarter, number(2))), number(1));
   const MD middle = hn::Lt(hn::Abs(hn::Sub(quarter, number(1.5))), number(1));

@@ -1,5 +1,4 @@
-// Sdfs among a scene's surfaces: finds those that a batch of rays meets. Included once for each
-// instruction set.
+// Intersects a batch of rays with the scene's sdfs. Included once for each instruction set.
 
 #if defined(CARLO_SDF_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SDF_HITS_INL
@@ -25,7 +24,7 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 /// A register's rays o + t d, for tests against sdfs.
-struct Way {
+struct RayRegister {
   V3 o, d;
   M wanted;
 };
@@ -33,7 +32,7 @@ struct Way {
 /// A register's segments from o to points of lights, none of which lies on an sdf.
 struct ToLight {
   V3 o, to;
-  V share;  ///< the share of the segment that a mesh may block: not the end, if the light is a mesh
+  V share;  ///< the part of the segment that a mesh may block: not its end, if the light is a mesh
   M clear;  ///< so far
 };
 
@@ -42,7 +41,7 @@ struct Vertex {
   V2 u_light, u_lobe;
   Hits hits;
   // For scenes with sdfs or meshes:
-  Way way;
+  RayRegister ray;
   std::array<double, lanes> t{};  ///< hits on sdfs
   carlo::MeshRays of_mesh;        ///< hits on meshes
   V3 error;                       ///< of the point's coordinates
@@ -51,12 +50,12 @@ struct Vertex {
 };
 
 /// Sphere tracing, only where an sdf may be nearer than the hits so far.
-inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
+inline HWY_NOINLINE void intersect_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
-      const Way& way = vertices[w].way;
-      rays_near(s.sdfs[k], way.o, way.d, vertices[w].hits.t, way.wanted, w * lanes, rays);
+      const RayRegister& ray = vertices[w].ray;
+      rays_near(s.sdfs[k], ray.o, ray.d, vertices[w].hits.t, ray.wanted, w * lanes, rays);
     }
     if (rays.count == 0) continue;
     trace(s.sdfs[k], rays);
@@ -70,8 +69,8 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>
     }
     for (std::size_t w = 0; w < batch; ++w) {
       const V met = hn::Load(d_, t.data() + w * lanes);
-      take(vertices[w].hits, hn::Ge(met, set(0)), met,
-           set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
+      keep_nearer(vertices[w].hits, hn::Ge(met, set(0)), met,
+                  set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
     }
   }
 }
@@ -86,7 +85,7 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex,
     if (hn::AllFalse(d_, here)) continue;
     any = hn::Or(any, here);
     SdfRays rays;
-    rays.add(vertex.way.o, vertex.way.d, set(0), here, 0);
+    rays.add(vertex.ray.o, vertex.ray.d, set(0), here, 0);
     rays.turn(s.sdfs[k]);
     for (std::size_t i = 0; i < rays.count; ++i)
       rays.s[i] = vertex.t[rays.lane[i]] / rays.t_per_s[i];
@@ -102,8 +101,8 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex,
              n);
 }
 
-/// carlo::offset_origin(): moves the point p of a surface to the side of n, off the surface by what
-/// its rounding demands; for a path that came along d, |d| = 1, and stays on that side.
+/// carlo::offset_origin(): moves the point p of a surface off it, to the side of n, by as much as
+/// its rounding error requires; for a path that arrived along d, |d| = 1, and stays on that side.
 HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
   const V3 size{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
   const V3 back = add_scaled(p, hn::Mul(set(-2), hn::Sqrt(dot(error, error))), d);
@@ -116,15 +115,16 @@ HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
 }
 
 /// Removes the lanes that an sdf blocks.
-inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
+inline HWY_NOINLINE void occlude_by_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
   for (const LaneSdf& sdf : s.sdfs) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
-      const ToLight& way = vertices[w].to_light;
-      const V3 to = way.to - way.o;
+      const ToLight& segment = vertices[w].to_light;
+      const V3 to = segment.to - segment.o;
       const V distance = hn::Sqrt(dot(to, to));
-      rays_near(sdf, way.o, hn::Div(set(1), distance) * to, distance, way.clear, w * lanes, rays);
+      rays_near(sdf, segment.o, hn::Div(set(1), distance) * to, distance, segment.clear, w * lanes,
+                rays);
     }
     if (rays.count == 0) continue;
     trace(sdf, rays);

@@ -1,4 +1,4 @@
-// Rays that may meet a signed distance function, in its coordinates. Included once for each
+// Rays that may hit a signed distance function, in its coordinates. Included once for each
 // instruction set.
 
 #if defined(CARLO_SDF_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -22,8 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The number of registers of paths that walk together in scenes with sdfs: few rays of each
-/// register come near an sdf, and these take very different numbers of steps.
+/// The number of registers of paths traced together in scenes with sdfs: few rays of each register
+/// come near an sdf, and these take very different numbers of steps.
 constexpr std::size_t batch = 32;
 
 using DL = hn::RebindToSigned<DD>;

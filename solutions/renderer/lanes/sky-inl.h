@@ -32,7 +32,7 @@ HWY_INLINE V turns_to(V y, V x) {
   return hn::CopySign(turns, y);
 }
 
-/// The one of `count` equal steps of [0, 1] that x lies in.
+/// The index of that of `count` equal steps of [0, 1] which contains x.
 HWY_INLINE U step_in(V x, std::size_t count) {
   const U step = hn::BitCast(du_, hn::ConvertTo(di_, hn::Mul(x, set(static_cast<float>(count)))));
   return hn::Min(step, set_word(static_cast<std::uint32_t>(count - 1)));
@@ -49,11 +49,11 @@ HWY_INLINE Texels texels(const EnvmapTable& table, U index) {
   return {{gather(first, at), gather(first + 1, at), gather(first + 2, at)}, gather(first + 3, at)};
 }
 
-/// EnvmapTable::at() for directions that are `asked` for.
-inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked) {
+/// EnvmapTable::at() for the lanes of `active`.
+inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M active) {
   const glm::mat3& m = table.rotation;
-  const V3 there = select(asked, d, set(m[1][0], m[1][1], m[1][2]));  // up, in lanes that do not
-                                                                      // ask
+  const V3 there = select(active, d, set(m[1][0], m[1][1], m[1][2]));  // up, in lanes that are not
+                                                                       // active
   const V x = dot(there, set(m[0][0], m[0][1], m[0][2])),
           y = dot(there, set(m[1][0], m[1][1], m[1][2])),
           z = dot(there, set(m[2][0], m[2][1], m[2][2]));
@@ -65,8 +65,8 @@ inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked
                 hn::Add(hn::Mul(row, set_word(static_cast<std::uint32_t>(table.width))), column));
 }
 
-/// The one of `count` steps of running sums, from `first` on in each lane, that u lies in, and its
-/// place within.
+/// The index of that of `count` steps of running sums (from `first` on in each lane) which contains
+/// u, and the position of u within it.
 struct SumSteps {
   U index;
   V within;

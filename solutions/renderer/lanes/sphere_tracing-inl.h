@@ -1,4 +1,5 @@
-// Finds where rays meet signed distance functions. Included once for each instruction set.
+// Finds the intersections of rays with signed distance functions. Included once for each
+// instruction set.
 
 #if defined(CARLO_SPHERE_TRACING_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SPHERE_TRACING_INL
@@ -37,10 +38,10 @@ struct Brackets {
   VD a, b, f_a, f_b;
 };
 
-/// Finds the roots between, to F's resolution (`fine`), by secants: an end that stays counts half
-/// from then on (the "Illinois" rule), so that both ends move; by bisection when that takes long.
-/// Source: Dowell, Jarratt, "A modified regula falsi method for computing the root of an equation",
-/// 1971.
+/// Finds the roots in between, to F's resolution (`fine`), by secants: the value at an end that
+/// stays is halved (the "Illinois" rule), so that both ends move; by bisection when that takes
+/// long. Source: Dowell, Jarratt, "A modified regula falsi method for computing the root of an
+/// equation", 1971.
 HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, VD fine, Brackets x) {
   MD wanted = hn::FirstN(dd_, doubles);
   VD best = x.b;
@@ -84,7 +85,7 @@ inline HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
   }
 }
 
-/// Points where rays of a register met sdfs, rounded once, and their unit normals.
+/// Points where a register's rays hit sdfs, rounded once, and their unit normals.
 struct SdfPoints {
   alignas(64) std::array<float, lanes> px{}, py{}, pz{}, nx{}, ny{}, nz{};
 };
@@ -112,7 +113,7 @@ inline HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfP
   }
 }
 
-/// Those of the `wanted` rays o + t d, t up to `longest`, that may come near the sdf.
+/// Returns those of the `wanted` rays o + t d, t up to `longest`, that may come near the sdf.
 HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
   const auto f = [](double x) HWY_ATTR { return set(static_cast<float>(x)); };
   const glm::dmat3& r = sdf.place.rotation;
@@ -137,7 +138,7 @@ HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
     begin = hn::Max(begin, hn::Min(a, b));
     end = hn::Min(end, hn::Max(a, b));
   }
-  // Divisions by small numbers have cost large ones a few digits.
+  // Dividing by small numbers has cost large quotients a few digits.
   return hn::And(wanted, hn::Le(hn::Mul(begin, set(1 - 1e-5f)), hn::Mul(end, set(1 + 1e-5f))));
 }
 

@@ -1,4 +1,4 @@
-// A tile's samples, before they are paths. Included once for each instruction set.
+// Camera rays: a tile's samples before they become paths. Included once for each instruction set.
 
 #if defined(CARLO_STARTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_STARTS_INL
@@ -41,8 +41,8 @@ HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
-/// A tile's samples as paths about to start, pixel by pixel. They are prepared for all lanes at
-/// once, and taken as lanes become free.
+/// A queue of a tile's samples, pixel by pixel, that start as lanes become free. They are prepared
+/// a register at a time.
 class Starts {
  public:
   HWY_ATTR explicit Starts(const LaneJob& job)
@@ -63,17 +63,18 @@ class Starts {
     return allowed_;
   }
 
-  /// Gives paths to lanes that have none, as long as there are some.
+  /// Starts queued samples in free lanes.
   template <class Needs>
   HWY_INLINE void refill(Paths& paths, carlo::Counts& counts) {
     const std::uint32_t alive = bits(paths.alive);
     if (alive == static_cast<std::uint32_t>((std::uint64_t{1} << lanes) - 1)) return;
     if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
-    // The place in the queue: the number of free lanes before this one.
-    const U place = ranks(~alive);
-    const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
-    take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
+    // The position in the queue: the number of free lanes before this one.
+    const U position = ranks(~alive);
+    const M starts =
+        hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), position)));
+    start<Needs>(paths, starts, hn::And(position, set_word(lanes - 1)));
     const auto started = static_cast<std::uint32_t>(hn::CountTrue(d_, starts));
     first_ += started;
     waiting_ -= started;
@@ -82,8 +83,8 @@ class Starts {
 
  private:
   template <class Needs>
-  HWY_INLINE void take(Paths& paths, M starts, U place) const {
-    const auto from = hn::IndicesFromVec(d_, place);
+  HWY_INLINE void start(Paths& paths, M starts, U position) const {
+    const auto from = hn::IndicesFromVec(d_, position);
     const auto starts_u = hn::RebindMask(du_, starts);
     const auto floats = [&](const float* queue) HWY_ATTR {
       return hn::TableLookupLanes(hn::LoadU(d_, queue + first_), from);
@@ -99,12 +100,13 @@ class Starts {
     }
     if constexpr (Needs::full) {
       paths.from.through = hn::AndNot(starts, paths.from.through);
-      paths.compressed = select(starts, set(1), paths.compressed);
+      paths.roulette_scale = select(starts, set(1), paths.roulette_scale);
       paths.from.clear = select(starts, set(o.x, o.y, o.z), paths.from.clear);
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     if constexpr (Needs::light_paths)
-      paths.rival = select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.rival);
+      paths.mis_ratio =
+          select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.mis_ratio);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
     paths.pdf = select(starts, set(-1), paths.pdf);
@@ -123,11 +125,11 @@ class Starts {
     move(key_, du_), move(index_, du_), move(number_of_, du_);
     first_ = 0;
     for (std::size_t i = 0; i < at_a_time && allowed_ > 0; ++i)
-      join();
+      append_register();
   }
 
   /// After the tile's last sample the rest of the register does not count as waiting.
-  HWY_INLINE void join() {
+  HWY_INLINE void append_register() {
     const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.tile.samples;
     if (sample_ == samples) next_pixel();

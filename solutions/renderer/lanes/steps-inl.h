@@ -1,5 +1,5 @@
-// Paths in progress, one in each lane: what all kinds of paths have in common. Included once for
-// each instruction set.
+// Paths in progress, one in each lane: the steps shared by camera paths and light paths. Included
+// once for each instruction set.
 
 #if defined(CARLO_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_STEPS_INL
@@ -50,21 +50,22 @@ struct Paths {
   Origins from;
   V3 d, beta, L;
   V pdf;             ///< of d; below 0: emission counts fully
-  V compressed;      ///< radiance compression by refractions so far; 1 outside glass
+  V roulette_scale;  ///< roulette takes beta relative to this: radiance scaled by refraction is not
+                     ///< brighter
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
   U number;          ///< among the tile's samples (Starts::allow), or a call's light paths
   M alive;
-  V3 n;             ///< of the surface that d leaves, on its side,
-  Chances chances;  ///< and the probabilities with which lights were chosen there, if there are
-                    ///< several
-  V rival;          ///< for Features::light_paths (lane_kernel.h, "Light paths")
+  V3 n;                              ///< of the surface that d leaves, on its side,
+  LightProbabilities probabilities;  ///< and the probabilities with which lights were chosen there,
+                                     ///< if there are several
+  V mis_ratio;                       ///< for Features::light_paths (lane_kernel.h, LightPathJob)
   // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
-  V brought;          ///< the luminance of its splats
-  V ties;             ///< the sum of the products of all pairs of splats
+  V splat_luminance;  ///< the luminance of its splats
+  V splat_products;   ///< the sum of the products of all pairs of splats
 };
 
 /// The column entries of a surface and its material.
@@ -75,9 +76,9 @@ struct Lookups {
   Numbers at_surface, material;
 };
 
-/// The points where paths arrived, on the side that they came from. The lookups are kept apart:
-/// their masks are an array, which would force all of this into memory.
-struct Spots {
+/// The shading points, on the side that the paths came from. The lookups are kept apart: their
+/// masks are an array, which would force all of this into memory.
+struct ShadingPoints {
   U number;  ///< of the surface
   const Numbers &at_surface, &material;
   V3 p, n;
@@ -90,7 +91,7 @@ HWY_INLINE V2 points(const LaneJob& job, U reversed_index, U k) {
   return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
 }
 
-/// What happens to paths at their vertices, wherever they start.
+/// The steps of camera paths and light paths alike at their vertices.
 template <class Needs>
 class Steps {
  public:
@@ -101,9 +102,8 @@ class Steps {
         per_threshold_(1 / job.choices.roulette_threshold) {}
 
  protected:
-  /// Takes one register of paths, or `batch` of them if there are sdfs, to their next vertices,
-  /// where `walk` shades them, and then lets it gather the contributions of those segments to_light
-  /// that nothing blocks.
+  /// Extends one register of paths, or `batch` of them if there are sdfs, to their next vertices;
+  /// there `walk` shades them and then gathers the contributions of unoccluded segments to_light.
   template <class Walk>
   HWY_INLINE void step_batch(const Walk& walk, std::span<Paths> paths) const {
     const bool sdfs = !s_.sdfs.empty();
@@ -111,21 +111,22 @@ class Steps {
     for (std::size_t w = 0; w < paths.size(); ++w) {
       Vertex& vertex = vertices[w];
       find(paths[w], vertex);
-      vertex.way = {paths[w].from.clear, paths[w].d, paths[w].alive};
+      vertex.ray = {paths[w].from.clear, paths[w].d, paths[w].alive};
       vertex.to_light.clear = hn::FirstN(d_, 0);
     }
-    if (sdfs) meet_sdfs(s_, vertices);
+    if (sdfs) intersect_sdfs(s_, vertices);
     for (std::size_t w = 0; w < paths.size(); ++w) {
       Vertex& vertex = vertices[w];
       if (s_.meshes) {
-        meet_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh, vertex.hits);
+        intersect_meshes(s_, vertex.ray.o, vertex.ray.d, vertex.ray.wanted, vertex.of_mesh,
+                         vertex.hits);
       }
       walk.shade(paths[w], vertex);
     }
-    if (sdfs) block_by_sdfs(s_, vertices);
+    if (sdfs) occlude_by_sdfs(s_, vertices);
     for (std::size_t w = 0; w < paths.size(); ++w) {
-      ToLight& way = vertices[w].to_light;
-      if (s_.meshes) block_by_meshes(s_, way.o, way.to, way.share, way.clear);
+      ToLight& segment = vertices[w].to_light;
+      if (s_.meshes) occlude_by_meshes(s_, segment.o, segment.to, segment.share, segment.clear);
       walk.gather(paths[w], vertices[w]);
     }
   }
@@ -151,10 +152,11 @@ class Steps {
     return job_.choices.power_heuristic ? hn::Sqrt(mul_add(a, a, hn::Mul(b, b))) : hn::Add(a, b);
   }
 
-  /// Paths::rival after mirrors and glass: the probability of the way taken is that of the way
-  /// back.
-  HWY_INLINE V turn_rival(V rival, const Spots& spots, const Reflections& next) const {
-    return hn::Div(hn::Mul(rival, hn::Abs(dot(spots.n, next.d))), spots.cosine);
+  /// Paths::mis_ratio after mirrors and glass, which choose a direction and its reverse with the
+  /// same probability.
+  HWY_INLINE V mis_ratio_after_specular(V mis_ratio, const ShadingPoints& shading,
+                                        const Reflections& next) const {
+    return hn::Div(hn::Mul(mis_ratio, hn::Abs(dot(shading.n, next.d))), shading.cosine);
   }
 
   /// Lanes that missed read surface 0 and ignore it.
@@ -162,8 +164,8 @@ class Steps {
     return hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
   }
 
-  HWY_INLINE Spots locate(const Paths& paths, Vertex& vertex, U number,
-                          const Lookups& found) const {
+  HWY_INLINE ShadingPoints locate(const Paths& paths, Vertex& vertex, U number,
+                                  const Lookups& found) const {
     V3 p, normal;
     place(paths, vertex.hits.t, number, found.at_surface, p, normal);
     if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, normal);
@@ -178,10 +180,10 @@ class Steps {
   }
 
   /// Ends paths on black sides and at the maximum length; true if any path continues.
-  HWY_INLINE bool survives(Paths& paths, const Spots& spots) const {
+  HWY_INLINE bool survives(Paths& paths, const ShadingPoints& shading) const {
     if (s_.one_sided) {
-      const M two_sided = differs(spots.material(s_.two_sided.data()), set_word(0));
-      paths.alive = hn::And(paths.alive, hn::Or(spots.front, two_sided));
+      const M two_sided = differs(shading.material(s_.two_sided.data()), set_word(0));
+      paths.alive = hn::And(paths.alive, hn::Or(shading.front, two_sided));
     }
     end_long_paths(paths);
     return !hn::AllFalse(d_, paths.alive);
@@ -213,7 +215,7 @@ class Steps {
     }
   }
 
-  /// For the lanes that met an sdf or a mesh; and the rounding error for all.
+  /// Points and normals of the lanes that hit an sdf or a mesh; rounding errors for all.
   HWY_INLINE void place_searched(Vertex& vertex, M alive, U number, V3& p, V3& normal) const {
     if (!s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, normal);
     vertex.error = rounding_of(p);
@@ -223,69 +225,70 @@ class Steps {
   }
 
   /// Starts the next rays here.
-  HWY_INLINE void arrive(Paths& paths, const Spots& spots, const Vertex& vertex) const {
-    paths.from.o = each(spots.p);
-    paths.from.last = spots.number;
+  HWY_INLINE void arrive(Paths& paths, const ShadingPoints& shading, const Vertex& vertex) const {
+    paths.from.o = each(shading.p);
+    paths.from.last = shading.number;
     if constexpr (Needs::close) {
-      paths.from.plane = s_.coplanar ? spots.at_surface(s_.plane.data()) : spots.number;
-      const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(spots.p)));
+      paths.from.plane = s_.coplanar ? shading.at_surface(s_.plane.data()) : shading.number;
+      const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(shading.p)));
       paths.from.arrival = select(hidden, set(-2) * paths.d, paths.d);
     }
     if constexpr (Needs::full) paths.from.through = hn::FirstN(d_, 0);
     if (Needs::full && s_.searched())
-      paths.from.clear = off_surface(spots.p, vertex.error, spots.n, paths.d);
+      paths.from.clear = off_surface(shading.p, vertex.error, shading.n, paths.d);
     paths.key = hn::Add(paths.key, set_word(key_step));
   }
 
-  /// Splits off the paths on mirrors and glass, and computes where they go.
-  HWY_INLINE M reflect_some(Paths& paths, const Spots& spots, V u, Reflections& next) const {
-    const Numbers& material = spots.material;
+  /// Separates the paths on mirrors and glass, and computes their next directions.
+  HWY_INLINE M reflect_some(Paths& paths, const ShadingPoints& shading, V u,
+                            Reflections& next) const {
+    const Numbers& material = shading.material;
     const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
-    next = reflect(paths.d, spots.n, spots.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
+    next = reflect(paths.d, shading.n, shading.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
                    material(s_.ior.data()), u);
     paths.alive = hn::AndNot(specular, paths.alive);
     return specular;
   }
 
-  /// True if there are lobes. Code compiled for everything asks the scene, so that a scene without
-  /// lobes gives the same bits as with code that knows none.
+  /// True if there are lobes. Code compiled for all features asks the scene, so that a scene
+  /// without lobes has the same bits as with code compiled without them.
   HWY_INLINE bool lobes() const { return Needs::phong && (!Needs::full || s_.phong); }
-  HWY_INLINE Bsdfs reflected(const Surfaces& surface, V3 wi, V cosine) const {
+  HWY_INLINE Bsdfs evaluate_bsdf(const Surfaces& surface, V3 wi, V cosine) const {
     return lobes() ? evaluate<Needs::phong>(surface, wi, cosine)
                    : evaluate<false>(surface, wi, cosine);
   }
-  HWY_INLINE V3 drawn(const Surfaces& surface, V2 u) const {
+  HWY_INLINE V3 sample_wi(const Surfaces& surface, V2 u) const {
     return lobes() ? sample_direction<Needs::phong>(surface, u)
                    : sample_direction<false>(surface, u);
   }
-  HWY_INLINE V way_back(const Surfaces& surface, V arrival, V cosine, V pdf) const {
-    return lobes() ? pdf_back<Needs::phong>(surface, arrival, cosine, pdf)
-                   : pdf_back<false>(surface, arrival, cosine, pdf);
+  HWY_INLINE V reverse_pdf(const Surfaces& surface, V arrival, V cosine, V pdf) const {
+    return lobes() ? reverse_pdf_of<Needs::phong>(surface, arrival, cosine, pdf)
+                   : reverse_pdf_of<false>(surface, arrival, cosine, pdf);
   }
 
-  HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
-    const Numbers& material = spots.material;
+  HWY_INLINE Surfaces surface_at(V3 d, const ShadingPoints& shading) const {
+    const Numbers& material = shading.material;
     Surfaces surface = zeros<Surfaces>();
-    surface.p = each(spots.p);
-    surface.n = each(spots.n);
+    surface.p = each(shading.p);
+    surface.n = each(shading.n);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
     if (lobes()) {
       surface.exponent = material(s_.exponent.data());
       surface.diffuse = material(s_.diffuse.data());
       surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);
-      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(spots.n, d)), spots.n);
+      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(shading.n, d)), shading.n);
     }
     return surface;
   }
 
   /// Continues the paths on mirrors and glass.
   HWY_INLINE void continue_paths(Paths& paths, M specular, const Reflections& next,
-                                 const Spots& spots, V3 error) const {
+                                 const ShadingPoints& shading, V3 error) const {
     paths.alive = hn::Or(paths.alive, specular);
     paths.d = select(specular, next.d, paths.d);
     paths.from.through = hn::And(specular, next.through);
     if (s_.searched() && !hn::AllFalse(d_, paths.from.through)) {
-      const V3 beyond = off_surface(spots.p, error, set(-1) * spots.n, set(0, 0, 0));
+      const V3 beyond = off_surface(shading.p, error, set(-1) * shading.n, set(0, 0, 0));
       paths.from.clear = select(paths.from.through, beyond, paths.from.clear);
     }
   }

@@ -25,8 +25,7 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 /// The radiances of a tile's pixels, summed in the order of the samples, since the order in which
-/// paths end depends on the number of lanes. Samples are kept until all of them, up to `most`, are
-/// there.
+/// paths end depends on the number of lanes. Up to `most` samples are stored before they are added.
 class Sums {
  public:
   static constexpr std::uint32_t most = 1 << 14;
@@ -37,8 +36,8 @@ class Sums {
         kept_(std::make_unique_for_overwrite<float[]>(
             3 * std::min<std::size_t>(most, sums_.size() * samples_))) {}
 
-  /// Stores the radiances of paths that have ended, by Paths::number. Values that are no radiance
-  /// are counted and left out, as in carlo::BlockSum.
+  /// Stores the radiances of paths that have ended, by Paths::number. Invalid values are counted
+  /// and skipped, as in carlo::BlockSum.
   HWY_INLINE void keep(const Paths& paths, M ended, carlo::Counts& counts) {
     const V3 L = paths.L;
     const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
@@ -54,7 +53,7 @@ class Sums {
     if (queued_ > queue_length) put_in_place();
   }
 
-  /// Adds the first `count` stored samples to those before.
+  /// Adds the first `count` stored samples to the sums.
   void add(std::uint32_t count) {
     put_in_place();
     const float* next = kept_.get();
@@ -85,8 +84,8 @@ class Sums {
     queued_ = 0;
   }
 
-  /// Adds this many samples to a pixel; returns the next sample. Four interleaved sums do not wait
-  /// for each other.
+  /// Adds this many samples to a pixel; returns the next sample. Four interleaved sums hide the
+  /// latency of additions.
   const float* add_to_pixel(std::uint32_t count, const float* next) {
     const std::uint32_t end = sample_ + count;
     const auto one = [&] {

@@ -1,4 +1,4 @@
-// Traces a tile's paths from first to last. Included once for each instruction set.
+// Traces all paths of a tile. Included once for each instruction set.
 
 #if defined(CARLO_TILE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_TILE_INL

@@ -1,5 +1,5 @@
-// Finds the shapes of a hierarchy (LaneTree) that rays may meet, one ray per lane. Included once
-// for each instruction set.
+// Traverses a hierarchy of shapes (LaneTree), one ray per lane. Included once for each instruction
+// set.
 
 #if defined(CARLO_TREE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_TREE_INL
@@ -32,8 +32,8 @@ struct Beam {
   bool up, down;  ///< all components of directions are > 0, or < 0
 };
 
-/// All rays of a register that are `wanted`, together. Tests boxes with less work than each ray
-/// would, where the rays go the same way.
+/// The `wanted` rays of a register as one beam. Testing a box against it is less work than testing
+/// each ray, if the rays have similar directions.
 class Beams {
  public:
   HWY_INLINE Beams(const V3& o, const V3& d, const V3& inverse, M wanted) {
@@ -44,11 +44,11 @@ class Beams {
     axes_[2] = beam(o.z, d.z, inverse.z, wanted, blur);
   }
 
-  /// The children of a node that some ray may meet before the distance `far`: one bit for each.
-  HWY_INLINE std::uint32_t may_meet(const LaneTree::Node& node, V far) const {
+  /// The children of a node that some ray may hit before the distance `far`: one bit for each.
+  HWY_INLINE std::uint32_t may_intersect(const LaneTree::Node& node, V far) const {
     std::uint32_t met = 0;
     for (std::size_t c = 0; c < LaneTree::width; c += lanes)
-      met |= bits(may_meet(node, c, far)) << c;
+      met |= bits(may_intersect(node, c, far)) << c;
     return met;
   }
 
@@ -67,7 +67,7 @@ class Beams {
             hn::GetLane(to) < 0};
   }
 
-  HWY_INLINE M may_meet(const LaneTree::Node& node, std::size_t c, V far) const {
+  HWY_INLINE M may_intersect(const LaneTree::Node& node, std::size_t c, V far) const {
     constexpr float slack = 0x1p-20f;  // for the rounding of products
     V enters = set(0), leaves = far;
     for (std::size_t k = 0; k < axes_.size(); ++k) {
@@ -82,7 +82,7 @@ class Beams {
     }
     enters = hn::Mul(enters, set(1 - slack)), leaves = hn::Mul(leaves, set(1 + slack));
     M met = hn::Le(enters, leaves);
-    // Where directions have both signs: the places that rays reach until then.
+    // Where directions have both signs: the interval that rays reach until then.
     for (std::size_t k = 0; k < axes_.size(); ++k) {
       const Beam& axis = axes_[k];
       if (axis.up || axis.down) continue;
@@ -98,8 +98,8 @@ class Beams {
   std::array<Beam, 3> axes_;
 };
 
-/// The rays of a register, ready to be tested against boxes: by all of them against one box, or by
-/// one of them against all children of a node.
+/// The rays of a register, prepared for tests of all of them against one box, or of one of them
+/// against all children of a node.
 class TreeRays {
  public:
   HWY_INLINE TreeRays(const V3& o, const V3& d) {
@@ -117,7 +117,7 @@ class TreeRays {
 
   V3 inverse() const { return inverse_; }
 
-  /// The rays that meet child c of a node before the distance `far`: one bit for each.
+  /// The rays that hit child c of a node before the distance `far`: one bit for each.
   HWY_INLINE std::uint32_t entering(const LaneTree::Node& node, std::size_t c, V far) const {
     V from = set(0), to = far;
     slab(set(node.lower[0][c]), set(node.upper[0][c]), inverse_.x, offset_.x, wider_.x, from, to);
@@ -126,7 +126,7 @@ class TreeRays {
     return bits(overlap(from, to));
   }
 
-  /// The children of a node that one ray meets: one bit for each.
+  /// The children of a node that one ray hits: one bit for each.
   HWY_INLINE std::uint32_t entered(const LaneTree::Node& node, std::size_t ray, float far) const {
     std::uint32_t met = 0;
     for (std::size_t c = 0; c < LaneTree::width; c += lanes) {
@@ -152,21 +152,21 @@ class TreeRays {
   alignas(64) std::array<std::array<float, lanes>, 9> lane_;
 };
 
-/// A node, and those of its children that remain to be visited.
+/// A node, and its children still to be visited.
 struct TreeVisit {
   std::uint32_t node, children;
   std::uint32_t rays;  ///< that meet the node
   bool one_by_one;     ///< which ray meets which child is known:
   std::array<std::uint32_t, lanes> children_of_ray;
 
-  /// Finds the children that some of the rays meet, by the cheaper of two ways.
+  /// Finds the children that some of the rays hit, by the cheaper of two tests.
   HWY_INLINE void start(const LaneTree& tree, std::uint32_t number, std::uint32_t by,
                         const TreeRays& each, const Beams& together, V far) {
     node = number, rays = by;
     children = ~0U;
     constexpr int few = 3;  // not worth a test of all together
     if (std::popcount(rays) > few) {
-      children = together.may_meet(tree.nodes[node], hn::MaxOfLanes(d_, far));
+      children = together.may_intersect(tree.nodes[node], hn::MaxOfLanes(d_, far));
       one_by_one = std::popcount(children) > std::popcount(rays);
       if (!one_by_one) return;
     }
@@ -182,7 +182,7 @@ struct TreeVisit {
     children &= met;
   }
 
-  /// The rays that meet child c.
+  /// The rays that hit child c.
   HWY_INLINE std::uint32_t entering(const LaneTree& tree, std::size_t c, const TreeRays& each,
                                     V far) const {
     if (!one_by_one) return rays & each.entering(tree.nodes[node], c, far);
@@ -196,7 +196,7 @@ struct TreeVisit {
   }
 };
 
-/// Rays that look for shapes in the trees of a scene.
+/// Rays prepared for the traversal of a scene's trees.
 struct TreeSearch {
   HWY_INLINE TreeSearch(const V3& o, const V3& d, M wanted)
       : each(o, d), together(o, d, each.inverse(), wanted) {}
@@ -205,10 +205,10 @@ struct TreeSearch {
   Beams together;
 };
 
-/// Calls `meet` with the number of each shape whose box one of the `wanted` rays meets, and with
-/// the mask of those that do, in the order of the numbers. What a ray meets depends on no other ray
-/// in its register. `far`: a function of the distances up to which rays are followed. Ends early
-/// when `meet` returns false.
+/// Calls `meet` with the number of each shape whose box one of the `wanted` rays hits, and with the
+/// mask of those that do, in the order of the numbers. The shapes found for a ray do not depend on
+/// the other rays of its register. `far`: returns the distances up to which rays are followed. Ends
+/// early when `meet` returns false.
 template <class Far, class Meet>
 HWY_INLINE void for_shapes_near(const LaneTree& tree, const TreeSearch& search, M wanted,
                                 const Far& far, const Meet& meet) {

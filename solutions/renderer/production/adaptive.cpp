@@ -1,9 +1,9 @@
 #include "renderer/production/adaptive.h"
 
+#include "render/driver.h"
 #include "render/interrupt.h"
 #include "render/light_coverage.h"
 #include "render/light_pass.h"
-#include "render/threads.h"
 #include "renderer/production/adaptive_decisions.h"
 #include "renderer/production/adaptive_state.h"
 #include "support/error.h"
@@ -22,12 +22,12 @@
 namespace carlo {
 namespace {
 
-/// Decisions are taken for squares with sides of this many pixels; work is handed out in squares
-/// with sides of up to `square_size`.
+/// Decisions are made for squares of this side, in pixels; work is handed out in squares of sides
+/// up to `square_size`.
 constexpr int unit_size = adaptive_unit_size, square_size = 16;
 /// Jobs per thread between possible checkpoints.
 constexpr std::ptrdiff_t jobs_at_once = 64;
-/// Samples per half; beyond these no pixel waits for unasked lights.
+/// Samples per half; beyond these no pixel waits for lights that have not been sampled.
 constexpr double most_for_lights = 1024;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
@@ -86,8 +86,8 @@ class AdaptiveJob {
     // calls for.
     const double pixels = 1.0 * state_.width * state_.height;
     result.light_path_covariance =
-        counts_.light_path_ties / (static_cast<double>(result.film.samples()) * pixels *
-                                   static_cast<double>(result.summary.most));
+        counts_.splat_covariance / (static_cast<double>(result.film.samples()) * pixels *
+                                    static_cast<double>(result.summary.most));
     return result;
   }
 
@@ -107,7 +107,7 @@ class AdaptiveJob {
     summary.floor = adaptive_floor(state_, 0, 1);
     summary.within = expected_within(state_, goal_.target, summary.floor);
     summary.capped = capped();
-    summary.asks = asks(static_cast<double>(summary.least));
+    summary.light_samples = light_samples(static_cast<double>(summary.least));
     const auto taken = static_cast<double>(counts_.paths);
     summary.decided_only = taken > 0 ? 1 - static_cast<double>(film.samples()) / taken : 0;
     return summary;
@@ -164,8 +164,8 @@ class AdaptiveJob {
     for (auto begin = left.begin(); begin < left.end();) {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
       tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, light_passes); });
-      // Counted with the last of the half's work, because a render that continues from a copy
-      // traces them again.
+      // Counted with the last of the half's work, since a render that continues from a copy traces
+      // them again.
       if (ours(0) &&
           std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
         for (const LightPass& pass : light_passes)
@@ -178,7 +178,7 @@ class AdaptiveJob {
     return true;
   }
 
-  /// Whether the square has this round's samples, perhaps from an earlier render.
+  /// True if the square has this round's samples, perhaps from an earlier render.
   bool done(const Work& work) const {
     const GroupedMean& seen = state_.halves[work.half][state_.pixel(work.x, work.y)].seen();
     return seen.samples() > levels_.begin(state_.level);
@@ -276,15 +276,15 @@ class AdaptiveJob {
                                    : done / std::fmax(state_.expected_paths, done));
   }
 
-  double asks(double samples) const {
-    return expected_light_samples(integrator_.least_light_chance(), samples, state_.width,
+  double light_samples(double samples) const {
+    return expected_light_samples(integrator_.least_light_probability(), samples, state_.width,
                                   state_.height);
   }
 
-  /// Takes the decisions of the round if the lights have been asked often enough.
+  /// Makes the decisions of the round if the lights have been sampled often enough.
   void decide() {
     const double n = levels_.end(state_.level), paths = static_cast<double>(counts_.paths);
-    if (n < most_for_lights && asks(n) < enough_light_samples) {
+    if (n < most_for_lights && light_samples(n) < enough_light_samples) {
       state_.expected_paths = std::fmax(state_.expected_paths, 2 * paths);
     } else {
       state_.expected_paths = paths + decide_round(state_, goal_.target, levels_);

@@ -11,21 +11,22 @@
 
 namespace carlo {
 
-/// When an adaptive render is finished.
+/// The goal of an adaptive render, and its limits.
 struct AdaptiveGoal {
   double target = 0.01;           ///< relative error of a pixel, at 95 % confidence
   std::uint32_t spp = 1u << 16;   ///< limit of samples per pixel
   std::optional<double> seconds;  ///< time limit; every pixel still gets 64 samples
 };
 
-/// What an adaptive render reports besides its film.
+/// The report of an adaptive render, besides its film.
 struct AdaptiveSummary {
   double target = 0;
   double floor = 0;   ///< luminance; errors of darker pixels are relative to it
   double within = 0;  ///< expected fraction of the pixels whose error is within the target
   double capped = 0;  ///< fraction of the pixels that were cut off by spp, seconds or Ctrl-C
   std::uint64_t least = 0, median = 0, most = 0;  ///< samples per pixel
-  double asks = 0;  ///< expected_light_samples() (light_coverage.h) where samples are fewest
+  double light_samples =
+      0;  ///< expected_light_samples() (light_coverage.h) where samples are fewest
   double decided_only = 0;  ///< fraction of the samples used only for decisions, not for the image
 };
 
@@ -44,8 +45,8 @@ struct AdaptiveOptions {
   /// Called with the current result every `checkpoint_seconds`, while no other thread works.
   std::function<void(const AdaptiveResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
-  /// Does only this share of the next round's jobs, and takes no decision (adaptive_state.h). Every
-  /// share traces all light paths; only the first counts them.
+  /// Does only this share of the next round's jobs, and makes no decisions (adaptive_state.h).
+  /// Every share traces all light paths; only the first counts them.
   std::optional<Shard> share = {};
   /// Does only the next round, including its decisions.
   bool one_round = false;
@@ -68,8 +69,8 @@ struct AdaptiveOptions {
 /// errors of its pixels are within the target on average (root mean square), would be so with the
 /// noise of the surrounding blocks as well, and the worst estimate is at most 3 times the target.
 /// The neighbours find most of the bright paths that a block has missed. No block is finished
-/// before each light has been asked ten times around it (light_coverage.h), unless that takes more
-/// than 1024 samples per half; the summary then shows it.
+/// before each light has been sampled ten times around it (light_coverage.h), unless that takes
+/// more than 1024 samples per half; the summary then shows it.
 ///
 /// The film's bits do not depend on the number of threads. Throws Error if the target is not a
 /// finite number above 0, if spp is below 32, or if the earlier render does not fit the film or its

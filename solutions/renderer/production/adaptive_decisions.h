@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-// How an adaptive render decides when a pixel is finished (adaptive.h).
+// Decides when the pixels of an adaptive render are finished (adaptive.h).
 
 namespace carlo {
 
@@ -16,10 +16,10 @@ double adaptive_floor(const AdaptiveState& state, std::size_t begin, std::size_t
 /// be independent.
 void set_floors(AdaptiveState& state);
 
-/// Takes the decisions after a round: each half of each active unit decides whether the other is
-/// finished. It may use only what the same half of other units saw before their decisions, so that
-/// decisions remain functions of that half's samples alone. Returns the approximate number of
-/// samples still missing.
+/// Makes the decisions after a round: each half of each active unit decides whether the other is
+/// finished. It may use only the samples of the same half of other units from before their
+/// decisions, so that decisions remain functions of that half's samples alone. Returns the
+/// approximate number of samples still missing.
 double decide_round(AdaptiveState& state, double target, const Levels& levels);
 
 }  // namespace carlo

@@ -21,7 +21,7 @@ constexpr int adaptive_unit_size = 4;
 /// a copy ends with the same bits.
 struct AdaptiveState {
   struct Unit {
-    std::array<bool, 2> fell{};  ///< whether the decision of each half has been taken
+    std::array<bool, 2> fell{};  ///< whether each half has made its decision
     /// Squared relative error times samples, as each half saw it when it last checked.
     std::array<double, 2> noise{};
     bool active() const { return !(fell[0] && fell[1]); }
@@ -33,8 +33,8 @@ struct AdaptiveState {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
-  /// The fraction of the units, at least one unit, for which this half's decision is still open:
-  /// how much is left to sample, as this half alone knows it.
+  /// The fraction of the units (at least one unit) that this half has not decided about: an
+  /// estimate of the remaining work by this half alone.
   double undecided(std::size_t half) const;
 
   std::size_t unit_number(int x, int y) const {
@@ -101,9 +101,9 @@ class Levels {
 };
 
 // Rounds of an adaptive render that are shared out. Each share continues from the same state with
-// its part of the round's jobs (AdaptiveOptions::share); the parts are then put together. The
-// decisions after the round are, bit for bit, those of a render that did all jobs itself: each half
-// of a pixel gets its samples of a round in one job.
+// its part of the round's jobs (AdaptiveOptions::share); the parts are then merged. The decisions
+// after the round are, bit for bit, those of a render that did all jobs itself: each half of a
+// pixel gets its samples of a round in one job.
 
 /// Returns what `state` has beyond `base`, from which it continued; other pixels are empty.
 AdaptiveState round_part(const AdaptiveState& state, const AdaptiveState& base);
@@ -112,7 +112,7 @@ AdaptiveState round_part(const AdaptiveState& state, const AdaptiveState& base);
 /// another.
 void add_round_part(AdaptiveState& base, const AdaptiveState& part);
 
-/// Whether no pixel needs another sample, or `spp` allows no more.
+/// True if no pixel needs another sample, or `spp` allows no more.
 bool all_rounds_done(const AdaptiveState& state, std::uint32_t spp);
 
 }  // namespace carlo

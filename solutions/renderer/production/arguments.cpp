@@ -53,7 +53,7 @@ static void check_slurm(const ProductionArguments& a) {
   if (a.slurm) {
     refuse(a.shard.has_value(), "--shard", "its tasks are the shards");
     refuse(a.seconds.has_value(), "--seconds", "shards are of a number of samples, --spp");
-    refuse(!a.resume.empty(), "--resume", "the same command goes on");
+    refuse(!a.resume.empty(), "--resume", "the same command continues");
     refuse(a.page.has_value(), "--page", "its image has none yet");
     return;
   }
@@ -76,7 +76,7 @@ void check(const ProductionArguments& a) {
     refuse(!a.resume.empty(), "--resume", "rerun the same command to resume a shard");
     refuse(a.no_sums, "--no-sums", "a part consists of its sums");
     refuse(!a.reference.empty(), "--reference", "./carlo merge compares, with all the samples");
-    refuse(a.page.has_value(), "--page", "a part is no image yet");
+    refuse(a.page.has_value(), "--page", "a part is not an image");
   }
   if (a.seconds && a.spp && !a.target_error) {
     throw Error("give --seconds or --spp: both are for --target-error only");

@@ -51,8 +51,8 @@ std::uint64_t BlockSet::count_in(const BlockRange& range) const {
 }
 
 std::vector<std::uint32_t> BlockSet::of_tiles(std::uint64_t tiles) const {
-  // How many blocks a tile has beyond the tile before it: unsigned, so that a negative difference
-  // wraps around.
+  // The number of blocks that a tile has beyond the tile before it: unsigned, so that a negative
+  // difference wraps around.
   std::vector<std::uint32_t> counts(tiles + 1);
   for (const BlockRange& range : ranges_) {
     const std::uint64_t first = range.begin % tiles, end = first + range.count() % tiles;

@@ -7,9 +7,9 @@
 
 namespace carlo {
 
-/// Tells bytes that a disk or a network has spoilt: a change within eight bytes that are taken in
-/// at once is always found, others but once in 2^64 times. Nobody is kept from making two that are
-/// alike. What is taken in piece by piece must be so again.
+/// Detects bytes corrupted by a disk or a network, not deliberate changes: always if all changed
+/// bytes are among eight that are added as one word, otherwise with probability 1 - 2^-64. Depends
+/// on how the bytes are divided among calls of add().
 class Checksum {
  public:
   void add(std::span<const unsigned char> bytes) {
@@ -28,7 +28,7 @@ class Checksum {
   std::uint64_t value() const { return value_; }
 
  private:
-  /// One to one in the word and in the value, so that what differs once does so to the end.
+  /// A bijection both of the word and of the value, so that a difference in one word is never lost.
   void add(std::uint64_t word) {
     value_ = (value_ ^ word) * 0xD6E8FEB86659FD93;
     value_ ^= value_ >> 32;

@@ -8,9 +8,9 @@
 
 namespace carlo {
 
-/// All that a sum holds: its words, in decimal.
+/// The words of a sum, in decimal.
 std::string to_text(const ExactSum& sum);
-/// Nothing if the text is none.
+/// Nothing if the text is not of that form.
 std::optional<ExactSum> exact_sum_of(std::string_view text);
 
 }  // namespace carlo

@@ -8,10 +8,10 @@
 
 namespace carlo {
 
-/// The mean of numbers that come in groups, each group in a few blocks of equal size; the variance
-/// of the mean follows from the spread of the blocks within each group. Groups may differ in size,
-/// so that blocks can grow with the number of samples. Scrambled Sobol' points need that: their
-/// error falls faster than one over the square root of the block's size.
+/// The mean of numbers in groups, each of a few blocks of equal size; the variance of the mean
+/// follows from the spread of the blocks within each group. Groups may differ in size, so that
+/// blocks can grow with the number of samples. Scrambled Sobol' points need that: their error falls
+/// faster than one over the square root of the block's size.
 class GroupedMean {
  public:
   /// The whole state: the sum of the samples, the sum of the groups' squared deviations, and the

@@ -70,7 +70,8 @@ int ImageRender::finish(const Result& result, bool time_unknown) const {
     lines.emplace_back("note", note);
   if (time_unknown) {
     lines.emplace_back(
-        "note", fmt::format("the time is that of this part: no report lies beside {}", a_.resume));
+        "note",
+        fmt::format("the time is that of this part: there is no report beside {}", a_.resume));
   }
   lines.emplace_back("written", outputs_.names(result));
   if (page_) lines.emplace_back("page", page_->string());

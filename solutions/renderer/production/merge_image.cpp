@@ -21,7 +21,7 @@ static RenderReport report_of(const Merge& merge, const RenderResult& result) {
   report.scene = part.scene;
   report.needs = part.needs;
   report.kernel = part.settings.at("kernel");
-  report.expect_asks(part.least_light_chance);
+  report.expect_light_samples(part.least_light_probability);
   report.sampler = part.settings.at("sampler");
   report.max_depth = number_of<int>(part.settings.at("max_depth")).value_or(0);
   report.seed = number_of<std::uint64_t>(part.settings.at("seed")).value_or(0);

@@ -88,8 +88,8 @@ void require_possible(const PartHeader& part, const fs::path& path) {
     fail(fmt::format("its {} blocks of {} samples are not the {} that were planned", grid.passes,
                      grid.block, part.settings.at("planned_spp")));
   }
-  if (!(part.least_light_chance >= 0 && part.least_light_chance <= 1)) {
-    fail(fmt::format("least_light_chance is {}", part.least_light_chance));
+  if (!(part.least_light_probability >= 0 && part.least_light_probability <= 1)) {
+    fail(fmt::format("least_light_chance is {}", part.least_light_probability));
   }
   if (part.blocks.end() > grid.blocks()) {
     fail(fmt::format("it has blocks up to {} of {}", part.blocks.end(), grid.blocks()));
@@ -152,7 +152,7 @@ static void fields(JsonFields& json, PartHeader& part) {
   json("settings", part.settings);
   json("grid", part.grid);
   json("light_paths", part.light_paths);
-  json("least_light_chance", part.least_light_chance);
+  json("least_light_chance", part.least_light_probability);
   json("shard", part.shard);
   json.as_text("parts", part.parts);
   as_words(
@@ -160,7 +160,7 @@ static void fields(JsonFields& json, PartHeader& part) {
       [](const std::string& text) { return BlockSet::from_text(text); });
   json("counts", part.counts);
   as_words(
-      json, "light_path_ties", part.light_path_ties,
+      json, "light_path_ties", part.splat_covariance,
       [](const ExactSum& sum) { return to_text(sum); },
       [](const std::string& text) { return exact_sum_of(text); });
   json.as_text("microseconds", part.microseconds);
@@ -208,7 +208,8 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
   std::string line(std::min<std::uintmax_t>(size, part_first_line.size()), '\0');
   in.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (!line.starts_with(part_magic)) {
-    throw Error("cannot read {}: it is no part of a render, which --shard writes", path_.string());
+    throw Error("cannot read {}: it is no part of a render, as --shard writes them",
+                path_.string());
   }
   if (line.size() == part_first_line.size() && line != part_first_line) {
     throw Error("cannot read {}: it is a part by another version of Carlo ('{}')", path_.string(),

@@ -20,18 +20,18 @@ struct PartHeader {
   /// The settings of the whole render (resume.h), and the program's "version". All parts of a
   /// render have the same.
   RenderSettings settings;
-  std::string scene;              ///< its file
-  std::string needs;              ///< describe() of the scene's needs
-  BlockGrid grid;                 ///< of the whole render
-  bool light_paths = false;       ///< whether light paths are traced
-  double least_light_chance = 1;  ///< the integrator's
+  std::string scene;                   ///< its file
+  std::string needs;                   ///< describe() of the scene's needs
+  BlockGrid grid;                      ///< of the whole render
+  bool light_paths = false;            ///< whether light paths are traced
+  double least_light_probability = 1;  ///< the integrator's
   /// The share I/N; empty for parts that were merged from different N. `index` is 0 if several
   /// shares of the same N were merged.
   std::optional<Shard> shard;
-  std::uint64_t parts = 1;   ///< number of parts that were merged into it
-  BlockSet blocks;           ///< the blocks that it holds
-  Counts counts;             ///< except for light_path_ties
-  ExactSum light_path_ties;  ///< as in RenderResult
+  std::uint64_t parts = 1;    ///< number of parts that were merged into it
+  BlockSet blocks;            ///< the blocks that it holds
+  Counts counts;              ///< except for splat_covariance
+  ExactSum splat_covariance;  ///< as in RenderResult
   /// Time spent; whole numbers, so that the sum does not depend on the order.
   std::uint64_t microseconds = 0;
   int threads = 1;  ///< the largest number used

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "parts are little-endian");
 
-constexpr std::size_t numbers_count = 4;  ///< of a sum: the place, three digits
+constexpr std::size_t numbers_count = 4;  ///< of a sum: its position and three digits
 constexpr std::size_t plane_head = 9, word_bytes = 8;
 constexpr std::size_t most_pixels_of_tile = std::size_t{driver_tile_size} * driver_tile_size;
 
@@ -28,7 +28,7 @@ const ExactSum& sum_of(const PixelSums& pixel, std::size_t which) {
   return which < 3 ? pixel.sum[which] : pixel.squares[which - 3];
 }
 
-void take_apart(const ExactSum& sum, Planes& planes, std::size_t i) {
+void split(const ExactSum& sum, Planes& planes, std::size_t i) {
   const auto words = sum.words();
   planes[0][i] = static_cast<std::int32_t>(words[0]);
   for (std::size_t digit = 1; digit < numbers_count; ++digit) {
@@ -37,7 +37,7 @@ void take_apart(const ExactSum& sum, Planes& planes, std::size_t i) {
   }
 }
 
-ExactSum put_together(const Planes& planes, std::size_t i) {
+ExactSum joined(const Planes& planes, std::size_t i) {
   std::array<std::uint32_t, ExactSum::words_count> words{static_cast<std::uint32_t>(planes[0][i])};
   for (std::size_t digit = 1; digit < numbers_count; ++digit) {
     words[2 * digit - 1] = static_cast<std::uint32_t>(planes[digit][i]);
@@ -56,7 +56,7 @@ void append_plane(std::vector<unsigned char>& bytes, std::span<const std::int64_
   bytes.resize(begin + size + word_bytes);
   std::memcpy(&bytes[begin], &base, sizeof base);
   bytes[begin + sizeof base] = static_cast<unsigned char>(width);
-  // Whole words: each writes over what the one before has too much.
+  // Writes whole words: each overwrites the superfluous bytes of the previous one.
   unsigned char* at = &bytes[begin + plane_head];
   for (const std::int64_t number : numbers) {
     const std::uint64_t above = static_cast<std::uint64_t>(number) - base;
@@ -66,8 +66,8 @@ void append_plane(std::vector<unsigned char>& bytes, std::span<const std::int64_
   bytes.resize(begin + size);
 }
 
-/// Takes a plane off the front; false if it is none.
-bool take_plane(std::span<const unsigned char>& bytes, std::span<std::int64_t> numbers) {
+/// Reads a plane off the front of `bytes`; false if it is malformed.
+bool read_plane(std::span<const unsigned char>& bytes, std::span<std::int64_t> numbers) {
   if (bytes.size() < plane_head) return false;
   std::uint64_t base;
   std::memcpy(&base, bytes.data(), sizeof base);
@@ -96,7 +96,7 @@ void append_tile(std::vector<unsigned char>& bytes, std::span<const PixelSums> p
   Planes planes;
   for (std::size_t which = 0; which < 6; ++which) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
-      take_apart(sum_of(pixels[i], which), planes, i);
+      split(sum_of(pixels[i], which), planes, i);
     for (const auto& plane : planes)
       append_plane(bytes, std::span(plane).first(pixels.size()));
   }
@@ -106,9 +106,9 @@ bool add_tile(std::span<const unsigned char> bytes, std::span<PixelSums> pixels)
   Planes planes;
   for (std::size_t which = 0; which < 6; ++which) {
     for (auto& plane : planes)
-      if (!take_plane(bytes, std::span(plane).first(pixels.size()))) return false;
+      if (!read_plane(bytes, std::span(plane).first(pixels.size()))) return false;
     for (std::size_t i = 0; i < pixels.size(); ++i)
-      sum_of(pixels[i], which).add(put_together(planes, i));
+      sum_of(pixels[i], which).add(joined(planes, i));
   }
   return bytes.empty();
 }

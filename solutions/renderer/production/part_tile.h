@@ -8,16 +8,17 @@
 
 namespace carlo {
 
-/// The sums of a tile's pixels as bytes. Each number that a sum holds (ExactSum: a place and three
-/// digits; three channels, sums and squares) makes a plane: the least of the tile's numbers, eight
-/// bytes; one byte, how many bytes the greatest needs above it; and what each pixel's is above it,
-/// in as many bytes. Little-endian.
+/// Appends the sums of a tile's pixels as bytes, little-endian. Each number of a sum (ExactSum: a
+/// position and three digits; three channels, sums and squares) makes a plane: the least of the
+/// tile's numbers in eight bytes; the width, in one byte; and for each pixel its difference from
+/// the least in that many bytes.
 void append_tile(std::vector<unsigned char>& bytes, std::span<const PixelSums> pixels);
 
-/// Adds the sums (not the numbers of blocks) of such bytes to pixels. False if they are none.
+/// Adds the sums (not the numbers of blocks) in such bytes to pixels. Returns false if they are
+/// malformed.
 bool add_tile(std::span<const unsigned char> bytes, std::span<PixelSums> pixels);
 
-/// As many bytes as a tile of so many pixels takes at most.
+/// The largest number of bytes for a tile of this many pixels.
 std::size_t most_tile_bytes(std::size_t pixels);
 
 }  // namespace carlo

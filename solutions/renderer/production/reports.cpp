@@ -38,7 +38,7 @@ static void fields(JsonFields& json, const AdaptiveSummary& a) {
 }
 
 void add_target(RenderReport& report, const AdaptiveSummary& summary) {
-  report.light_asks = summary.asks;
+  report.light_samples = summary.light_samples;
   report.behind_error = {{"target", target_text(summary)}, {"samples", samples_text(summary)}};
   report.fields.emplace_back([summary](JsonFields& json) { json("target", summary); });
 }

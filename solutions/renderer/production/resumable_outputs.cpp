@@ -64,7 +64,7 @@ std::string ResumableOutputs::names(const AdaptiveResult& /*result*/) const {
 ExrFile ResumableOutputs::exr(const RenderResult& result, const RenderReport& report,
                               bool sums) const {
   ExrFile file = exr_of(result, report);
-  if (sums) add_sums(file, settings_, result.film, result.counts, result.light_path_ties);
+  if (sums) add_sums(file, settings_, result.film, result.counts, result.splat_covariance);
   return file;
 }
 

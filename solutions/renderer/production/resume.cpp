@@ -57,12 +57,12 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
   file.attributes["light_paths"] = std::to_string(counts.light_paths);
-  file.attributes["light_path_ties"] = fmt::format("{}", counts.light_path_ties);
+  file.attributes["light_path_ties"] = fmt::format("{}", counts.splat_covariance);
   file.attributes["cut_paths"] = std::to_string(counts.cut);
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
 
-/// Whether all pixels of each tile have the same number of blocks, as the driver leaves them.
+/// True if all pixels of each tile have the same number of blocks, as the driver leaves them.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
@@ -107,10 +107,10 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 }
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& light_path_ties) {
+              const ExactSum& splat_covariance) {
   add_attributes(file, settings, counts);
-  if (!(light_path_ties == ExactSum{}))
-    file.attributes["light_path_tie_sum"] = to_text(light_path_ties);
+  if (!(splat_covariance == ExactSum{}))
+    file.attributes["light_path_tie_sum"] = to_text(splat_covariance);
   file.attributes["block"] = std::to_string(film.block());
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
@@ -200,7 +200,7 @@ void EarlierRender::require_same(const RenderSettings& settings) const {
     // The effect of -D is already part of the scene.
     if (then == now || name == "definitions") continue;
     if (name == "scene_digest") {
-      throw Error("cannot resume {}: the scene or the film is another now ({}, then {})",
+      throw Error("cannot resume {}: the scene or the film has changed ({}, then {})",
                   path_.string(), now, then);
     }
     throw Error("cannot resume {}: its {} is {}, this render's {}", path_.string(), name, then,
@@ -255,10 +255,10 @@ Counts EarlierRender::counts() const {
           .light_paths = number("light_paths"),
           .cut = number("cut_paths"),
           .bad = number("bad_samples"),
-          .light_path_ties = real("light_path_ties")};
+          .splat_covariance = real("light_path_ties")};
 }
 
-ExactSum EarlierRender::light_path_ties() const {
+ExactSum EarlierRender::splat_covariance() const {
   const auto it = file_.attributes.find("light_path_tie_sum");
   if (it != file_.attributes.end()) {
     if (const auto sum = exact_sum_of(it->second)) return *sum;

@@ -41,7 +41,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
   const std::uint32_t block = block_size(render.spp);
   part.grid = {scene.width, scene.height, block, render.spp / block};
   part.light_paths = integrator.light_paths() > 0;
-  part.least_light_chance = integrator.least_light_chance();
+  part.least_light_probability = integrator.least_light_probability();
   part.shard = render.shard;
   return part;
 }
@@ -50,7 +50,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
 PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& share) {
   part.blocks = blocks_done(result.film, share);
   part.counts = result.counts;
-  part.light_path_ties = result.light_path_ties;
+  part.splat_covariance = result.splat_covariance;
   part.microseconds = static_cast<std::uint64_t>(std::llround(1e6 * result.seconds));
   part.threads = result.threads;
   return part;
@@ -70,7 +70,7 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   }
   RenderResult result{.film = Film(now.grid.width, now.grid.height, now.grid.block),
                       .counts = then.counts,
-                      .light_path_ties = then.light_path_ties,
+                      .splat_covariance = then.splat_covariance,
                       .seconds = 1e-6 * static_cast<double>(then.microseconds)};
   file.add_to(result.film);
   if (blocks_done(result.film, share) != then.blocks) {
@@ -80,7 +80,7 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   return result;
 }
 
-/// Whether another process has by now written more of the same share; a node that seemed dead, for
+/// True if another process has by now written more of the same share; a node that seemed dead, for
 /// example.
 bool is_behind(const fs::path& path, const PartHeader& part) {
   try {

@@ -10,7 +10,7 @@
 #include <vector>
 
 // A render on a cluster is a folder beside its image, IMAGE.slurm, on a file system that all nodes
-// share. Its files tell what is done; Slurm tells what is running (course/slurm/array_job.h).
+// share. Its files record what is done; Slurm knows what is running (course/slurm/array_job.h).
 //
 //   plan.json     the render, and the options of the last call
 //   carlo_render  a copy of the program, since a later build may round differently
@@ -26,7 +26,7 @@ namespace carlo {
 
 /// The content of plan.json.
 struct SlurmPlan {
-  /// Of the whole render, except for the kernel, which the first task chooses.
+  /// The settings of the whole render, except for the kernel, which the first task chooses.
   RenderSettings settings;
   std::string scene;  ///< its file
   int width = 0, height = 0;

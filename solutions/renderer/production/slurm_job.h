@@ -17,8 +17,8 @@ int run_slurm_task(const SlurmFolder& folder, const Scene& scene, const Integrat
 /// submits the missing shards again if there was progress. Returns the exit code; throws Error.
 int run_slurm_merge(SlurmFolder& folder, const MergeOutput& how);
 
-/// The same with a target error: puts a round together, takes its decisions, and submits the next
-/// round or writes the image.
+/// The same with a target error: merges a round, makes its decisions, and submits the next round or
+/// writes the image.
 int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integrator& integrator,
                           ShardRender render, const MergeOutput& how);
 

@@ -245,14 +245,14 @@ int render_on_slurm(SlurmFolder& folder, SlurmRender render) {
   if (!render.wait && step != SlurmStep::done) {
     tell(
         fmt::format("  {:<16} the same command, without --no-wait or again with it, tells how far "
-                    "it is and goes on after failures\n",
+                    "it is and continues after failures\n",
                     "later"));
     return 0;
   }
   const auto report = Waiting(folder, plan, render.quiet).run();
   if (!report) {
     fmt::print(stderr,
-               "no longer waiting; the jobs go on: the same command waits again, scancel --me "
+               "no longer waiting; the jobs continue: the same command waits again, scancel --me "
                "--name {},{} ends them\n",
                plan.jobs, merge_name(plan));
     return 130;

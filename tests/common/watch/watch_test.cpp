@@ -29,10 +29,10 @@ using namespace carlo;
 namespace {
 
 constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": [
-  {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f"],
+  {"tag": "Lab 1.1", "title": "First", "points": 2, "functions": ["f"],
    "hints": ["the nudge of one", "the plan of one"]},
   {"tag": "Lab 1.2", "title": "Second, which is called a good deal more than fits into a narrow terminal's line",
-   "points": 3, "lecture": "L", "functions": ["g"],
+   "points": 3, "functions": ["g"],
    "hints": ["the nudge of two", "the plan of two"]}]})";
 
 // If demo.cpp contains "broken" it does not compile; if it contains "slow" it takes a second.

@@ -1,8 +1,8 @@
 #pragma once
 
-// What submissions are made of that send answers of their own in the place of the probes': a lab's
-// forged.cpp is compiled into a worker beside the solution, and forges what the judge should see
-// through.
+// Helpers for submissions that send answers of their own in place of the probes': a lab's
+// forged.cpp is compiled into a worker together with the solution, and forges answers that the
+// judge should see through.
 
 #include "grader/protocol/frame.h"
 #include "grader/protocol/params.h"
@@ -14,7 +14,7 @@
 
 namespace carlo::grader {
 
-/// What the judge asks of this worker: it stands on the command line.
+/// The judge's question to this worker, from the command line.
 struct Question {
   std::string probe;
   Params params;

@@ -1,8 +1,8 @@
 #!/bin/sh
-# handed_in.sh ATTACK DRAFT TARGET TREE: attacks, and accidents, that hand in something else than a folder
-# with the exercise file. ATTACK is a function here, called with the other three: DRAFT is a folder with the
-# file and room to work in, TARGET the submission's path without a suffix, TREE the repository.
-# What stands above each function: README.md.
+# handed_in.sh ATTACK DRAFT TARGET TREE: attacks, and accidents, that hand in something else than a
+# folder with the exercise file. ATTACK is a function here, called with the other three: DRAFT is a
+# folder with the file and room to work in, TARGET the submission's path without a suffix, TREE the
+# repository. README.md describes the lines above each function.
 set -eu
 
 #= line_ends

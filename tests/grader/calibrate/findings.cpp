@@ -20,7 +20,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// values or more determine it to a few per cent.
 constexpr double bound = .9;
 
-/// Reports show so many diagnoses: a mistake further down is not named.
+/// The number of diagnoses that a report shows: a mistake further down is not named.
 constexpr std::size_t shown_diagnoses = 2;
 
 double median(std::vector<double> values) {

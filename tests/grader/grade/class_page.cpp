@@ -14,13 +14,14 @@ namespace carlo::grader {
 namespace {
 
 /// How one student did in one exercise.
-enum class Standing { right, partly, wrong, follows, not_done, not_judged };
+enum class Standing { right, by_itself, partly, wrong, follows, not_done, not_judged };
 
 Standing standing_of(const ExerciseResult& exercise) {
   if (exercise.status == Status::grader_error) return Standing::not_judged;
+  if (exercise.right_by_itself()) return Standing::by_itself;
   if (exercise.points >= exercise.max) return Standing::right;
   if (exercise.status >= Status::not_implemented) return Standing::not_done;
-  if (!exercise.unsound.empty()) return Standing::follows;
+  if (!exercise.unsound.empty() && !exercise.by_itself) return Standing::follows;
   return exercise.points > 0 ? Standing::partly : Standing::wrong;
 }
 
@@ -33,12 +34,14 @@ Look look_of(Standing standing) {
   switch (standing) {
     case Standing::right:
       return {"right", "all points"};
+    case Standing::by_itself:
+      return {"itself", "all points: right by itself, but an exercise that it builds on is not"};
     case Standing::partly:
       return {"partly", "some points"};
     case Standing::wrong:
       return {"wrong", "no points"};
     case Standing::follows:
-      return {"follows", "not right, but neither is an exercise that it builds on"};
+      return {"follows", "not right, but neither is one that it builds on: not judged by itself"};
     case Standing::not_done:
       return {"undone", "not done, not handed in, or not compiled"};
     case Standing::not_judged:
@@ -85,7 +88,8 @@ std::vector<Column> columns_of(const std::vector<Record>& records) {
         const Standing standing = standing_of(exercise);
         ++column.standings[standing];
         if (standing != Standing::not_judged) column.points += exercise.points;
-        if (standing == Standing::right || exercise.diagnoses.empty()) continue;
+        const bool right = standing == Standing::right || standing == Standing::by_itself;
+        if (right || exercise.diagnoses.empty()) continue;
         const Diagnosis& likeliest = exercise.diagnoses.front();
         auto& [sentence, number] = column.mistakes[likeliest.id];
         sentence = likeliest.sentence;
@@ -105,13 +109,14 @@ void rank(std::vector<Record>& records) {
 }
 
 Table exercises_table(const std::vector<Column>& columns) {
-  Table table({"exercise", "title", "right", "some points", "no points", "follow-on", "not done",
-               "mean points", "of"});
+  Table table({"exercise", "title", "right", "right by itself", "some points", "no points",
+               "follow-on", "not done", "mean points", "of"});
   for (const Column& column : columns) {
     const auto number = [&](Standing standing) { return static_cast<int>(column.count(standing)); };
     const auto judged = static_cast<double>(column.judged());
     table.add_row({column.exercise->number(), column.exercise->title,
                    percent_cell(column.share(column.count(Standing::right)), 2),
+                   percent_cell(column.share(column.count(Standing::by_itself)), 2),
                    number(Standing::partly), number(Standing::wrong), number(Standing::follows),
                    number(Standing::not_done),
                    number_cell(judged > 0 ? column.points / judged : 0, 2), column.exercise->max});
@@ -169,8 +174,9 @@ std::string student_row(const Record& record, const std::string& name) {
 
 std::string legend() {
   std::string html = "<p class=\"class-legend\">";
-  for (const Standing standing : {Standing::right, Standing::partly, Standing::wrong,
-                                  Standing::follows, Standing::not_done, Standing::not_judged}) {
+  for (const Standing standing :
+       {Standing::right, Standing::by_itself, Standing::partly, Standing::wrong, Standing::follows,
+        Standing::not_done, Standing::not_judged}) {
     const Look look = look_of(standing);
     html += fmt::format("<span><i class=\"{}\"></i> {}</span> ", look.style, look.words);
   }
@@ -196,6 +202,8 @@ constexpr const char* class_style = R"(
   overflow: hidden; text-overflow: ellipsis; white-space: nowrap; text-align: left;
   font-weight: 400; background: var(--paper); }
 .right { background: color-mix(in srgb, var(--series-3) 45%, var(--paper)); }
+.itself { background: repeating-linear-gradient(45deg, var(--paper) 0 4px,
+  color-mix(in srgb, var(--series-3) 45%, var(--paper)) 4px 8px); }
 .partly { background: color-mix(in srgb, var(--series-5) 35%, var(--paper)); }
 .wrong { background: color-mix(in srgb, var(--series-2) 55%, var(--paper)); }
 .follows { background: repeating-linear-gradient(45deg, var(--paper) 0 4px,
@@ -216,8 +224,9 @@ constexpr const char* class_style = R"(
 constexpr const char* mistakes_note =
     "The likeliest mistake of each exercise that is not right, where the judge can name one.";
 constexpr const char* follow_on_note =
-    "Follow-on: not right, but neither is an exercise that it builds on. What is wrong there may be "
-    "all that is wrong here.";
+    "Right by itself: judged with the suite's version of an exercise that it builds on and that is "
+    "not right. Follow-on: not right, neither is such an exercise, and the suite's version could "
+    "not take its place.";
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# class_test.sh SOURCE BUILD: grades a small class in lab 01: the marks are right, nothing outside
+# class_test.sh SOURCE BUILD: grades a small class in lab 1: the marks are right, nothing outside
 # the class is read or written, and a killed grader resumes, produces the same CSV, and leaves no
 # process or file behind.
 set -euo pipefail
@@ -56,7 +56,7 @@ grade=("$build/bin/carlo_grade" --tree "$source" --build "$build" "$class" --lab
 expected() {
   cat <<'EOF'
 linked,0,20,lab 1 not submitted
-mistaken,16,20,graded
+mistaken,18,20,1.2 right by itself
 nothing,0,20,lab 1 not submitted
 packed,20,20,graded
 relative,0,20,lab 1 does not compile

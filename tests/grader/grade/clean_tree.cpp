@@ -97,6 +97,9 @@ CleanTree::CleanTree(const fs::path& tree, const fs::path& build,
     copy_inputs(lab, tools);
     for (const std::string& file : lab.files)
       tools.stubs[file] = read_file(tree / "labs" / lab.folder / file);
+    read_solutions(tree / "solutions" / lab.folder, lab, tools);
+    tools.solution_objects = path_ / "solutions" / lab.folder;
+    fs::create_directories(tools.solution_objects);
   }
   digest_ = digest_of_files();
 }
@@ -118,6 +121,17 @@ void CleanTree::copy_headers(const fs::path& tree, LabTools& tools) {
     folder = copy;
     tools.headers.push_back(copy);
   }
+}
+
+void CleanTree::read_solutions(const fs::path& folder, const CourseLab& lab, LabTools& tools) {
+  const bool needed = std::any_of(lab.lab.exercises.begin(), lab.lab.exercises.end(),
+                                  [](const Exercise& exercise) { return !exercise.uses.empty(); });
+  const bool there = std::all_of(lab.files.begin(), lab.files.end(), [&](const std::string& file) {
+    return fs::exists(folder / file);
+  });
+  if (!needed || !there) return;
+  for (const std::string& file : lab.files)
+    tools.solutions[file] = read_file(folder / file);
 }
 
 void CleanTree::copy_inputs(const CourseLab& lab, LabTools& tools) {
@@ -148,8 +162,9 @@ std::string CleanTree::digest_of_files() const {
   for (const auto& [number, tools] : tools_) {
     for (const std::string& flag : tools.recipe.flags)
       digest.add_text(flag);
-    for (const auto& [name, text] : tools.stubs)
-      digest.add_text(text);
+    for (const auto* texts : {&tools.stubs, &tools.solutions})
+      for (const auto& [name, text] : *texts)
+        digest.add_text(text);
   }
   return digest.hex();
 }

@@ -17,6 +17,10 @@ struct LabTools {
   std::vector<std::filesystem::path> headers, inputs;
   /// The course's exercise files, by name.
   std::map<std::string, std::string> stubs;
+  /// The suite's solutions of the same files, for what a second judgement replaces; none if the
+  /// tree does not have them or no exercise builds on another.
+  std::map<std::string, std::string> solutions;
+  std::filesystem::path solution_objects;  ///< the folder where they are compiled once for all
 };
 
 /// A temporary folder with everything that all submissions need: the headers of common/ and of the
@@ -38,6 +42,8 @@ class CleanTree {
 
  private:
   void copy_headers(const std::filesystem::path& tree, LabTools& tools);
+  static void read_solutions(const std::filesystem::path& folder, const CourseLab& lab,
+                             LabTools& tools);
   void copy_inputs(const CourseLab& lab, LabTools& tools);
   std::string digest_of_files() const;
 

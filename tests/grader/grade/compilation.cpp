@@ -141,14 +141,19 @@ std::vector<std::string> compile_command(const LabTools& tools) {
   for (const fs::path& include : tools.recipe.includes)
     argv.push_back("-I" + include.string());
   argv.insert(argv.end(), {"-fno-lto", "-fdiagnostics-color=never"});
-  // What the program prints of itself (__FILE__, an assertion) shows no path of ours.
+  // Keeps our paths out of what the program prints (__FILE__, an assertion).
   for (const fs::path& header : tools.headers)
     argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
   return argv;
 }
 
-Compilation::Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder)
-    : tools_(tools), sandbox_(sandbox), folder_(folder), left_(lab_budget) {}
+Compilation::Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder,
+                         std::vector<std::string> flags)
+    : tools_(tools),
+      sandbox_(sandbox),
+      folder_(folder),
+      flags_(std::move(flags)),
+      left_(lab_budget) {}
 
 bool Compilation::make(const std::string& name, const std::string& text, const fs::path& object,
                        std::string& messages) {
@@ -183,6 +188,7 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
 Outcome Compilation::compile_in(const fs::path& work, const fs::path& source,
                                 const std::string& ahead) {
   std::vector<std::string> argv = compile_command(tools_);
+  argv.insert(argv.end(), flags_.begin(), flags_.end());
   argv.push_back("-ffile-prefix-map=" + work.string() + "/=");
   if (!ahead.empty()) argv.insert(argv.end(), {"-include", ahead});
   argv.insert(argv.end(), {"-o", "exercise.o", "-c", source.string()});
@@ -221,18 +227,21 @@ Symbols Compilation::symbols_of(const fs::path& object) {
   return symbols;
 }
 
-void Compilation::rename(const fs::path& object, const std::string& redefinitions) {
-  const WorkFolder work(folder_ / "rename");
-  write_file(work.path() / "names.txt", redefinitions);
+void Compilation::change_symbols(const fs::path& object, const std::string& option,
+                                 const std::string& lines) {
+  if (lines.empty()) return;
+  const WorkFolder work(folder_ / "symbols");
+  write_file(work.path() / "names.txt", lines);
   fs::permissions(work.path() / "names.txt", readable_by_all);
-  const fs::path renamed = work.path() / "renamed.o";
+  const fs::path changed = work.path() / "changed.o";
   const Outcome outcome =
-      run({"/usr/bin/objcopy", "--redefine-syms=" + (work.path() / "names.txt").string(),
-           object.string(), renamed.string()},
+      run({"/usr/bin/objcopy", option + "=" + (work.path() / "names.txt").string(), object.string(),
+           changed.string()},
           {{object}, work.path()});
   // An object that was readable before has names that can be replaced.
-  if (!outcome.succeeded() || !take_elf(renamed, object, readable_by_all)) {
-    throw Error("objcopy cannot rename in {}: {}", object.string(), outcome.output.substr(0, 300));
+  if (!outcome.succeeded() || !take_elf(changed, object, readable_by_all)) {
+    throw Error("objcopy cannot change the symbols of {}: {}", object.string(),
+                outcome.output.substr(0, 300));
   }
 }
 
@@ -240,6 +249,7 @@ bool Compilation::link(const std::vector<fs::path>& objects, const fs::path& wor
                        std::string& messages) {
   const WorkFolder work(folder_ / "link");
   std::vector<std::string> argv{tools_.recipe.compiler, "-fno-lto", "-fno-use-linker-plugin"};
+  argv.insert(argv.end(), flags_.begin(), flags_.end());
   for (std::size_t i = 0; i <= tools_.recipe.link.size(); ++i) {
     if (i == tools_.recipe.objects_at) argv.insert(argv.end(), objects.begin(), objects.end());
     if (i < tools_.recipe.link.size()) argv.push_back(tools_.recipe.link[i].text);

@@ -20,7 +20,9 @@ std::vector<std::string> compile_command(const LabTools& tools);
 class Compilation {
  public:
   /// `folder`: where each running step has its own folder, writable for the sandbox.
-  Compilation(const LabTools& tools, const Sandbox& sandbox, const std::filesystem::path& folder);
+  /// `flags`: more of the compiler's, for compiling and for linking.
+  Compilation(const LabTools& tools, const Sandbox& sandbox, const std::filesystem::path& folder,
+              std::vector<std::string> flags = {});
 
   /// Compiles one file to `object` and checks that it keeps to itself. Returns false if it does not
   /// compile, or would replace our code.
@@ -33,9 +35,10 @@ class Compilation {
   /// Returns the symbols of an object; none if nm cannot read it.
   Symbols symbols_of(const std::filesystem::path& object);
 
-  /// Renames symbols of an object. If that fails, it stays as it is, and the linker has the last
-  /// word.
-  void rename(const std::filesystem::path& object, const std::string& redefinitions);
+  /// Changes symbols of an object by an option of objcopy that reads `lines` from a file, such as
+  /// --redefine-syms. Throws Error.
+  void change_symbols(const std::filesystem::path& object, const std::string& option,
+                      const std::string& lines);
 
   /// Links objects into `worker`. The flags keep the linker from running plugins on the contents of
   /// students' objects.
@@ -64,6 +67,7 @@ class Compilation {
   const LabTools& tools_;
   const Sandbox& sandbox_;
   std::filesystem::path folder_;
+  std::vector<std::string> flags_;
   Symbols ours_;  ///< of everything linked except the exercises
   std::chrono::milliseconds left_;
   std::size_t peak_ = 0;

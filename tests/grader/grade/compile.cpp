@@ -19,8 +19,6 @@ fs::path object_of(const fs::path& folder, std::string name) {
   return folder / (name + ".o");
 }
 
-using Objects = std::map<std::string, fs::path>;  // by file
-
 std::vector<fs::path> paths(const Objects& objects) {
   std::vector<fs::path> list;
   for (const auto& [name, object] : objects)
@@ -93,7 +91,7 @@ void settle_names(Compilation& ours, const LabTools& tools, const fs::path& fold
     stubs[name] = ours.symbols_of(object);
   const NewNames names = own_names(symbols, stubs);
   for (const auto& [name, list] : names)
-    ours.rename(objects.at(name), redefinitions(list, name));
+    ours.change_symbols(objects.at(name), "--redefine-syms", redefinitions(list, name));
   result.own_names = own_names_text(names);
 }
 
@@ -172,6 +170,19 @@ void link_all(Trials& trials, const Objects& objects, const LabTools& tools, con
 }
 
 }  // namespace
+
+std::optional<Objects> compile_objects(const std::map<std::string, std::string>& files,
+                                       const LabTools& tools, const Sandbox& sandbox,
+                                       const Folders& folders,
+                                       const std::vector<std::string>& flags) {
+  const Compilation fresh(tools, sandbox, folders.theirs, flags);
+  Trials trials{fresh, fresh, fresh};
+  Compiled unsaid;
+  std::optional<Objects> objects = make_objects(trials, files, tools, folders.ours, unsaid);
+  if (objects && tools.stubs.size() > 1)
+    settle_names(trials.ours, tools, folders.ours, *objects, unsaid);
+  return objects;
+}
 
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
                  const Sandbox& sandbox, const Folders& folders, const fs::path& worker) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,14 @@ struct Folders {
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
                  const Sandbox& sandbox, const Folders& folders,
                  const std::filesystem::path& worker);
+
+using Objects = std::map<std::string, std::filesystem::path>;  // by exercise file
+
+/// Compiles the files as compile() does, with more flags, and links nothing. Returns nothing if the
+/// files, and not the machine, are to blame.
+std::optional<Objects> compile_objects(const std::map<std::string, std::string>& files,
+                                       const LabTools& tools, const Sandbox& sandbox,
+                                       const Folders& folders,
+                                       const std::vector<std::string>& flags);
 
 }  // namespace carlo::grader

@@ -1,4 +1,4 @@
-// Whose fault a failed compilation is: with a fake compiler.
+// Tests, with a fake compiler, whose fault a failed compilation is.
 
 #include "grader/grade/compile.h"
 

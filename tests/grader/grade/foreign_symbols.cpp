@@ -64,12 +64,6 @@ bool is_defined(const std::string& letters) {
   return letters.find_first_not_of("Uwv") != std::string::npos;
 }
 
-/// Returns whether it is defined, but not as one of many equal copies: it would replace such a
-/// copy.
-bool is_defined_once(const std::string& letters) {
-  return letters.find_first_not_of("UwWvVu") != std::string::npos;
-}
-
 /// Returns whether defining it would replace something of ours. `contract`: it is in the lab's own
 /// namespace, in which we define what is given, and use what is asked for.
 bool replaces(const std::string& symbol, const std::string& letters, const Symbols& ours,
@@ -82,6 +76,10 @@ bool replaces(const std::string& symbol, const std::string& letters, const Symbo
 }
 
 }  // namespace
+
+bool is_defined_once(const std::string& letters) {
+  return letters.find_first_not_of("UwWvVu") != std::string::npos;
+}
 
 void add_symbols(Symbols& symbols, const std::string& nm_output) {
   std::istringstream lines(nm_output);

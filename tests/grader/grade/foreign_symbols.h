@@ -11,6 +11,10 @@ using Symbols = std::map<std::string, std::string>;
 /// Adds the output of `nm --format=posix`.
 void add_symbols(Symbols& symbols, const std::string& nm_output);
 
+/// Returns whether, by its letters, a symbol is defined, and not as one of many equal copies, which
+/// it would replace. 'i' (chosen at run time) and 'C' (uninitialised) are definitions too.
+bool is_defined_once(const std::string& letters);
+
 /// Returns a symbol as a programmer would write it, cut to 200 letters; unchanged if that would not
 /// be short. Takes bounded time for any symbol.
 std::string readable(const std::string& symbol);

@@ -2,6 +2,8 @@
 
 #include "grader/grade/foreign_symbols.h"
 
+#include "grader/grade/replaceable.h"
+
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>
 
@@ -29,6 +31,21 @@ TEST_CASE("an exercise's own functions and those of headers are no offence", "[s
   CHECK(why("_ZN5lab017averageE T 0 5\n_ZNK5lab017Moments4meanEv T 0 5\n", ours).empty());
   CHECK(why("_Z6helperd T 0 5\ncounter B 0 8\n", ours).empty());
   CHECK(why("_ZNSt6vectorIdE4growEv W 0 12\n_Znwm U\nwrite U\nmemset U\n", ours).empty());
+}
+
+TEST_CASE("an exercise's functions are found by name, whatever their parameters", "[symbols]") {
+  CHECK(is_symbol_of("_ZN5lab017averageERKSt8functionIFddEEl", "lab01", "average"));
+  CHECK(is_symbol_of("_ZNK5lab017Moments8varianceEv", "lab01", "Moments::variance"));
+  CHECK(is_symbol_of("_ZN5lab055TableC1ESt6vectorIdSaIdEE", "lab05", "Table::Table"));
+  CHECK(is_symbol_of("_ZN5lab055TableC2ESt6vectorIdSaIdEE", "lab05", "Table::Table"));
+  CHECK(is_symbol_of("_ZN5lab014nameB5cxx11Ei", "lab01", "name"));
+  for (const char* other :
+       {"_ZN5lab017averageIdEEvT_", "_ZN5lab018averagesEv", "_ZN5lab027averageEv", "_Z7averagev",
+        "_ZN5lab017Moments7averageEv", "average", ""}) {
+    INFO(other);
+    CHECK_FALSE(is_symbol_of(other, "lab01", "average"));
+  }
+  CHECK_FALSE(is_symbol_of("_ZN5lab055Table3CutEv", "lab05", "Table::Table"));
 }
 
 TEST_CASE("what takes the place of ours is refused, and named", "[symbols]") {

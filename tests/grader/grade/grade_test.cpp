@@ -173,6 +173,15 @@ TEST_CASE("The class's page counts who is right, and what builds on what is not 
   both.exercises[0].diagnoses = {{"off-by-one", "one < too many"}, {"other", "unlikely"}};
   both.exercises[1].unsound = {"Lab 1.1"};
   const Record wrong = record("wrong<b>", judged(demo_lab(), both));
+  LabResult itself = verdict(0, 3);
+  itself.exercises[1].status = Status::failed;
+  itself.exercises[1].unsound = {"Lab 1.1"};
+  itself.exercises[1].by_itself = ByItself{Status::passed, 3, {"Lab 1.1"}};
+  const Record alone = record("alone", judged(demo_lab(), itself));
+  CHECK(has(class_page({alone}, true).html(), "<td class=\"itself\" title=\"1.2: all points: "));
+  CHECK(has(class_csv({alone}), ",0,3,3,3,5,1.2 right by itself,"));
+  CHECK(has(text_of(alone.labs[0], alone.labs[0].result.exercises[1]),
+            "1.2 is right by itself; Lab 1.1, which it calls, is not\n"));
   const Record broken = record("broken", unjudged(demo_lab(), Status::does_not_compile, ""));
   const std::string page = class_page({right, wrong, broken}, true).html();
   CHECK(page == class_page({broken, wrong, right}, true).html());

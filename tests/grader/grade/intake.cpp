@@ -88,7 +88,7 @@ class Collector {
         break;
       }
     }
-    // What we could not read may be what should be graded.
+    // An unreadable file may be one that should be graded.
     if (ec) throw std::runtime_error(fmt::format("{}: {}", root.string(), ec.message()));
     for (const std::string& path : taken)
       disk_file(root / path, path);

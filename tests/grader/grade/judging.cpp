@@ -1,20 +1,28 @@
 #include "grader/grade/judging.h"
 
+#include "course/cli/wrap.h"
 #include "course/verdict/printed.h"
 #include "course/verdict/verdict_json.h"
+#include "course/verdict/verdict_text.h"
 #include "grader/grade/compile.h"
 #include "grader/grade/own_disk.h"
 #include "grader/grade/precompiled_header.h"
+#include "grader/grade/replaceable.h"
 #include "grader/grade/sha256.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace carlo::grader {
 namespace {
@@ -48,7 +56,15 @@ struct Desk {
   Folders folders;
 };
 
-LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& worker) {
+/// What a judge found, and what it cost.
+struct Judgement {
+  LabResult result;
+  Outcome outcome;
+};
+
+/// Judges all exercises of a lab, or the one of this number.
+Judgement judge_once(const Desk& desk, const CourseLab& lab, const fs::path& worker,
+                     const std::string& only = "") {
   const fs::path verdict = desk.folders.ours / "verdict.json";
   std::error_code ec;
   fs::remove(verdict, ec);
@@ -60,15 +76,83 @@ LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& work
        (desk.folders.ours / "secret").string(), "--submission", desk.identity, "--deadline",
        fmt::format("{}", desk.course.deadline)},
       {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + (desk.folders.theirs / "tmp").string()}};
+  if (!only.empty()) command.argv.insert(command.argv.end(), {"--exercise", only});
   const Outcome outcome = run_limited(command, judge_limits());
   const bool ended = outcome.end == Outcome::End::exited && outcome.code <= 1;
   if (!ended || !fs::exists(verdict)) {
     throw Error("the judge of lab {} came to no verdict ({})", lab.number(), end_in_words(outcome));
   }
-  LabGrade grade = judged(lab.lab, lab_result_from_text(read_file(verdict)));
-  grade.report = outcome.output;
-  grade.judge_seconds = outcome.seconds;
-  grade.judge_peak_bytes = outcome.peak_bytes;
+  return {lab_result_from_text(read_file(verdict)), outcome};
+}
+
+/// Returns the exercises that one builds on, directly or through others, and that are not right.
+std::vector<const Exercise*> wrong_ground(const Lab& lab, const Exercise& exercise,
+                                          const LabResult& result) {
+  std::set<std::string> ground(exercise.uses.begin(), exercise.uses.end());
+  // Exercises come after those that they use.
+  for (auto earlier = lab.exercises.rbegin(); earlier != lab.exercises.rend(); ++earlier)
+    if (ground.count(earlier->tag) != 0) ground.insert(earlier->uses.begin(), earlier->uses.end());
+  std::vector<const Exercise*> wrong;
+  for (std::size_t i = 0; i < lab.exercises.size(); ++i) {
+    const bool used = ground.count(lab.exercises[i].tag) != 0;
+    if (used && result.exercises[i].status != Status::passed) wrong.push_back(&lab.exercises[i]);
+  }
+  return wrong;
+}
+
+/// Returns whether nothing but an exercise's own functions is missing: no other can mend it.
+bool is_undone(const ExerciseResult& result) {
+  return result.status == Status::not_implemented &&
+         std::all_of(result.tests.begin(), result.tests.end(),
+                     [](const TestRecord& test) { return test.needs.empty(); });
+}
+
+/// Judges what is not right once more where it builds on others that are not right either, with the
+/// suite's versions of these. Of this second judgement, in which a student's code runs beside the
+/// suite's, only the points are kept: nothing that it printed.
+void judge_follow_ons(const Desk& desk, const CourseLab& lab,
+                      const std::map<std::string, std::string>& files, LabGrade& grade) {
+  const LabTools& tools = desk.course.clean.tools(lab.lab.number);
+  if (tools.solutions.empty()) return;
+  const LabResult first = grade.result;
+  const fs::path worker = desk.folders.ours / "second_worker";
+  std::optional<ReplaceableCode> code;
+  for (std::size_t i = 0; i < first.exercises.size(); ++i) {
+    const Exercise& exercise = lab.lab.exercises[i];
+    ExerciseResult& result = grade.result.exercises[i];
+    const std::vector<const Exercise*> wrong = wrong_ground(lab.lab, exercise, first);
+    if (result.status == Status::passed || wrong.empty() || is_undone(result)) continue;
+    if (!code) code.emplace(files, tools, desk.sandbox, desk.folders);
+    if (!code->compiled()) return;
+    std::vector<std::string> functions;
+    ByItself second;
+    for (const Exercise* other : wrong) {
+      functions.insert(functions.end(), other->functions.begin(), other->functions.end());
+      second.replaced.push_back(other->tag);
+    }
+    code->link(functions, worker);
+    const Judgement judgement = judge_once(desk, lab, worker, result.number());
+    if (judgement.result.exercises.size() != 1)
+      throw Error("the judge's verdict is of another lab");
+    const ExerciseResult& again = judgement.result.exercises.front();
+    check_result(exercise, again);
+    second.status = again.status;
+    second.points = again.points;
+    result.points = std::max(result.points, second.points);
+    result.by_itself = second;
+    grade.judge_seconds += judgement.outcome.seconds;
+  }
+  if (code) grade.report = wrapped(report_text(grade.result));
+}
+
+LabGrade judge_all(const Desk& desk, const CourseLab& lab,
+                   const std::map<std::string, std::string>& files, const fs::path& worker) {
+  const Judgement judgement = judge_once(desk, lab, worker);
+  LabGrade grade = judged(lab.lab, judgement.result);
+  grade.report = judgement.outcome.output;
+  grade.judge_seconds = judgement.outcome.seconds;
+  grade.judge_peak_bytes = judgement.outcome.peak_bytes;
+  judge_follow_ons(desk, lab, files, grade);
   return grade;
 }
 
@@ -79,7 +163,10 @@ LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles&
   const Compiled compiled = compile(files.files, tools, desk.sandbox, desk.folders, worker);
   LabGrade grade;
   if (compiled.linked) {
-    grade = judge_once(desk, lab, worker);
+    std::map<std::string, std::string> linked = files.files;
+    for (const std::string& file : compiled.misfits)
+      linked.erase(file);
+    grade = judge_all(desk, lab, linked, worker);
   } else {
     grade = unjudged(lab.lab, Status::does_not_compile, "the code does not compile");
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # load_test.sh SOURCE BUILD [COPIES JOBS ...]: a class of right answers, mistakes and attacks in lab
-# 01, COPIES of each (8: 64 submissions), graded with each number of JOBS at a time (1 8 32 64),
+# 1, COPIES of each (8: 64 submissions), graded with each number of JOBS at a time (1 8 32 64),
 # then while other programs take the memory, then killed (kill -9) and restarted: the marks are
 # those deserved, and class.csv has the same bytes each time. As root also on a nearly full volume:
 # those who get marks there get the same, the others none, and all get them in a second run with

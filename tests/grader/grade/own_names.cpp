@@ -9,12 +9,6 @@
 namespace carlo::grader {
 namespace {
 
-/// By nm's letters: neither undefined nor one of many equal copies. 'i' (chosen at run time) and
-/// 'C' (uninitialised) are definitions too.
-bool is_definition(const std::string& letters) {
-  return letters.find_first_not_of("UwWvVu") != std::string::npos;
-}
-
 bool is_plain(const std::string& symbol) {
   return std::all_of(symbol.begin(), symbol.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '$';
@@ -23,7 +17,7 @@ bool is_plain(const std::string& symbol) {
 
 bool defines(const Symbols& symbols, const std::string& name) {
   const auto found = symbols.find(name);
-  return found != symbols.end() && is_definition(found->second);
+  return found != symbols.end() && is_defined_once(found->second);
 }
 
 }  // namespace
@@ -33,7 +27,7 @@ NewNames own_names(const std::map<std::string, Symbols>& objects,
   std::map<std::string, std::vector<std::string>> definers;
   for (const auto& [file, symbols] : objects) {
     for (const auto& [name, letters] : symbols) {
-      if (is_definition(letters) && is_plain(name)) definers[name].push_back(file);
+      if (is_defined_once(letters) && is_plain(name)) definers[name].push_back(file);
     }
   }
   NewNames renamed;

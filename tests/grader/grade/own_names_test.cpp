@@ -1,4 +1,4 @@
-// Names that several files of a lab define.
+// Tests names that several files of a lab define.
 
 #include "grader/grade/own_names.h"
 

@@ -7,7 +7,7 @@
 
 namespace carlo::grader {
 
-/// Precompiles, with g++, the header that all files of a lab share, e.g. "path_tracer.h" of lab 08,
+/// Precompiles, with g++, the header that all files of a lab share, e.g. "path_tracer.h" of lab 8,
 /// once per clean tree, if the lab has so many files that this pays. Processes that arrive
 /// meanwhile, or after a failure, compile without it.
 void precompile(const LabTools& tools);

@@ -76,10 +76,11 @@ int Record::max() const {
 
 std::string Record::status() const {
   std::string text;
+  const auto add = [&](const std::string& words) { text += (text.empty() ? "" : "; ") + words; };
   for (const LabGrade& lab : labs) {
-    if (!lab.unjudged) continue;
-    text += fmt::format("{}lab {} {}", text.empty() ? "" : "; ", lab.result.lab,
-                        in_words(*lab.unjudged));
+    if (lab.unjudged) add(fmt::format("lab {} {}", lab.result.lab, in_words(*lab.unjudged)));
+    for (const ExerciseResult& exercise : lab.result.exercises)
+      if (exercise.right_by_itself()) add(exercise.number() + " right by itself");
   }
   return text.empty() ? "graded" : text;
 }
@@ -101,18 +102,20 @@ LabGrade unjudged(const Lab& lab, Status why, const std::string& note) {
   return grade;
 }
 
+void check_result(const Exercise& exercise, const ExerciseResult& result) {
+  if (result.tag != exercise.tag || result.max != exercise.points ||
+      !possible_points(result.points, exercise.points)) {
+    throw Error("the judge's verdict of {} makes no sense", exercise.tag);
+  }
+}
+
 LabGrade judged(const Lab& lab, const LabResult& result) {
   const std::vector<ExerciseResult>& list = result.exercises;
   if (result.lab != lab.number || list.size() != lab.exercises.size()) {
     throw Error("the judge's verdict is of another lab");
   }
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Exercise& exercise = lab.exercises[i];
-    if (list[i].tag != exercise.tag || list[i].max != exercise.points ||
-        !possible_points(list[i].points, exercise.points)) {
-      throw Error("the judge's verdict of {} makes no sense", exercise.tag);
-    }
-  }
+  for (std::size_t i = 0; i < list.size(); ++i)
+    check_result(lab.exercises[i], list[i]);
   LabGrade grade;
   grade.result = result;
   return grade;

@@ -56,6 +56,9 @@ LabGrade unjudged(const Lab& lab, Status why, const std::string& note);
 /// lab.
 LabGrade judged(const Lab& lab, const LabResult& result);
 
+/// Throws Error if the judge's result is not of this exercise.
+void check_result(const Exercise& exercise, const ExerciseResult& result);
+
 std::string to_json(const Record& record);
 /// Throws Error if the text is not a record.
 Record record_from_json(const std::string& text);

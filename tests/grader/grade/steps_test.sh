@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# steps_test.sh SOURCE BUILD: steps of lab 08 that define the same helper each use their own; one
+# steps_test.sh SOURCE BUILD: steps of lab 8 that define the same helper each use their own; one
 # that cannot be linked with the others loses only its own points.
 set -euo pipefail
 source=$1

@@ -1,6 +1,7 @@
 #include "grader/page/exercise.h"
 
 #include "course/verdict/crash_line.h"
+#include "course/verdict/verdict_text.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"
 
@@ -232,6 +233,7 @@ std::string diagnosis(const ExerciseResult& exercise) {
 
 std::string unsound_ground(const ExerciseResult& exercise) {
   std::string out;
+  if (exercise.by_itself) return "<p class=\"note\">" + html(by_itself_text(exercise)) + "</p>\n";
   for (const std::string& tag : exercise.unsound) {
     out += fmt::format(
         "<p class=\"note\">{} is not right yet, and your code calls it: fix that first.</p>\n",

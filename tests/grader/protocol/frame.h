@@ -17,7 +17,7 @@ struct Rows {
   double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 };
 
-/// What a worker sends back, once: a table, or the reason why there is none.
+/// The single answer of a worker: a table, or the reason why there is none.
 struct Frame {
   /// exhausted: the system's error for too many threads, whoever has them.
   enum class Status : std::uint32_t { rows = 0, error = 1, not_implemented = 2, exhausted = 3 };

@@ -10,7 +10,8 @@ usage: ./carlo gradescope N [-o FILE.zip] [--secret-file FILE] [--dirty]
 
 Writes the autograder of lab N for Gradescope (default out/gradescope_labN.zip): upload it as the
 assignment's autograder. It holds the students' tree of labs 1 to N, so the solutions of earlier labs,
-and the grader; not the solution of lab N, no references, no mistakes.
+and the grader; of lab N the solution only if exercises build on one another, so that a mistake in
+one costs no points in the next; no references, no mistakes.
 
   --secret-file FILE   random numbers follow from this file's text; without it a new secret is made,
                        printed, and kept in the zip alone
@@ -51,6 +52,9 @@ mkdir "$scratch/carlo"
 {
   student_files "$root" "$lab"
   all_files "$root" | grep -E '^(tests/grader/grade|common/course/slurm)/'
+  if grep -q '"uses"' "$root"/labs/"$(printf '%02d' "$lab")"_*/lab.json; then
+    released_solutions "$root" "$((lab + 1))" | grep "^solutions/$(printf '%02d' "$lab")_"
+  fi
 } | tar -C "$root" -c --files-from=- | tar -C "$scratch/carlo" -x
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$scratch/"
 printf '%s\n' "$lab" >"$scratch/lab"

@@ -2,8 +2,7 @@
 # Selects the files that leave the suite, and makes archives of them. Source it; ROOT is the suite's
 # folder.
 #
-# What leaves is listed, what stays is not: a folder added to the suite stays until its name is
-# listed here.
+# A folder added to the suite does not leave it until its name is listed here.
 
 # fail MESSAGE: prints a line and exits.
 fail() {

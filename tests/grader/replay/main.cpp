@@ -71,7 +71,7 @@ std::string arguments(const Params& params, std::size_t most) {
   return text + fmt::format("seed = {}", params.seed);
 }
 
-/// Prints the list, and the next command: for the first question that brought no values.
+/// Prints the list, and the next command: for the first question that returned no values.
 void show(const Options& options, const Exercise& exercise, const Questions& questions) {
   fmt::print("{}", wrapped(fmt::format("{}  {}  (seed {})\n{}", exercise.tag, exercise.title,
                                        questions.seed, listing(questions.asked))));

@@ -8,7 +8,7 @@
 using namespace carlo;
 
 TEST_CASE("disagreements of stub, handout and tests with lab.json are told", "[course]") {
-  Exercise first{"Lab 1.1", "T", 2, "L", {"f"}, {"nudge", "plan"}};
+  Exercise first{"Lab 1.1", "T", 2, {"f"}, {"nudge", "plan"}};
   Exercise second = first;
   second.tag = "Lab 1.2";
   const Lab lab{1, "demo", "Demo", {first, second}};

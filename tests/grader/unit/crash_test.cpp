@@ -1,4 +1,4 @@
-// What a student learns about a crash: why, and in which line if a sanitizer knows it.
+// Tests what a student learns about a crash: its cause, and the line if a sanitizer knows it.
 
 #include "grader/judge/crash.h"
 

@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// What run_probe() threw; passed with an empty message if it did not.
+/// The failure that run_probe() threw; passed with an empty message if it did not throw.
 struct Result {
   Status status = Status::passed;
   std::string message, printed;

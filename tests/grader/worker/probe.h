@@ -46,9 +46,9 @@ class RowWriter {
 #define CARLO_JOIN(a, b) CARLO_JOIN_(a, b)
 
 /// PROBE("Lab 1.1 estimates", "estimate") { ... params.seed ... return rows; }
-/// The probe's name; then the names of its values, which all of a lab's probes give; then
-/// optionally
-/// "(last row: how many there were)".
+///
+/// The probe's name; then the names of its values, which all of a lab's probes give; then,
+/// optionally, a remark: "(last row: how many there were)".
 #define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __COUNTER__), __VA_ARGS__)
 #define CARLO_PROBE(function, ...)                                                        \
   static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);           \

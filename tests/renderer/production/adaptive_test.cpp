@@ -129,11 +129,11 @@ TEST_CASE("The target is met in nine pixels of ten, and noisy pixels get the sam
   CHECK(ratio <= 7 * 1.5);
 }
 
-/// White everywhere, as samples look that have not asked some light.
-class Unasked final : public common_test::NoiseIntegrator {
+/// White everywhere, like samples that have missed a light of this probability.
+class MissedLight final : public common_test::NoiseIntegrator {
  public:
-  explicit Unasked(double chance) : chance_(chance) {}
-  double least_light_chance() const override { return chance_; }
+  explicit MissedLight(double probability) : probability_(probability) {}
+  double least_light_probability() const override { return probability_; }
 
  private:
   void sample(const Tile& tile, int, int, BlockSum& sum, Counts& counts) const override {
@@ -141,23 +141,23 @@ class Unasked final : public common_test::NoiseIntegrator {
       sum.add(Rgb(1), counts);
   }
 
-  double chance_;
+  double probability_;
 };
 
 TEST_CASE("No pixel is done before each light has been asked ten times around it") {
-  // 144 pixels of n samples per half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked
-  // ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for, which the
-  // summary shows.
-  const auto finished = [](double chance) {
-    return render_adaptively(Unasked(chance), 16, 16, {.01, 1 << 16, {}},
+  // 144 pixels of n samples per half, n = 32, 48, 64 ...: a light of probability 1/1600 has been
+  // sampled ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for, which
+  // the summary shows.
+  const auto finished = [](double probability) {
+    return render_adaptively(MissedLight(probability), 16, 16, {.01, 1 << 16, {}},
                              {.threads = 1, .progress = false})
         .summary;
   };
   CHECK(finished(1).least == 64);
   CHECK(finished(1.0 / 1600).least == 256);
-  CHECK(finished(1.0 / 1600).asks >= 10);
+  CHECK(finished(1.0 / 1600).light_samples >= 10);
   CHECK(finished(1e-9).least == 2048);
-  CHECK(finished(1e-9).asks < 10);
+  CHECK(finished(1e-9).light_samples < 10);
 }
 
 TEST_CASE("No pixel gets more samples than spp, whatever the target") {

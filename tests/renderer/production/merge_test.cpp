@@ -45,7 +45,7 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
       const PartFile file(path);
       RenderResult start{.film = Film(noise.width, noise.height, noise_grid(spp).block),
                          .counts = file.header().counts,
-                         .light_path_ties = file.header().light_path_ties};
+                         .splat_covariance = file.header().splat_covariance};
       file.add_to(start.film);
       CHECK(same_sums(start.film, result.film));
       CHECK(file.header().blocks.count() < share.count());
@@ -90,10 +90,10 @@ TEST_CASE(
         REQUIRE(merge.complete());
         const RenderResult merged = merge.run();
         CHECK(same_sums(merged.film, whole.film));
-        CHECK(merged.light_path_ties == whole.light_path_ties);
+        CHECK(merged.splat_covariance == whole.splat_covariance);
         CHECK(merged.counts.paths == whole.counts.paths);
         CHECK(merged.counts.light_paths == whole.counts.light_paths);
-        CHECK(merged.counts.light_path_ties == whole.counts.light_path_ties);
+        CHECK(merged.counts.splat_covariance == whole.counts.splat_covariance);
         CHECK(mean_of(merged).standard_error == mean_of(whole).standard_error);
         CHECK(merge.header().parts == count);
         CHECK(merge.header().microseconds == 1000 * count + count * (count + 1) / 2);
@@ -190,7 +190,7 @@ TEST_CASE("Pixels that light paths tie together: a render's error bar, shared ou
   const MeanRadiance apart = mean_radiance(whole.film), tied = mean_of(whole);
   const auto samples = static_cast<double>(whole.film.samples());
   const double all = luminance(apart.value);
-  const double relative = whole.counts.light_path_ties / (samples * samples * all * all);
+  const double relative = whole.counts.splat_covariance / (samples * samples * all * all);
   REQUIRE(relative > 0);
   for (std::size_t c = 0; c < 3; ++c) {
     CHECK(tied.standard_error[c] ==
@@ -218,7 +218,7 @@ TEST_CASE("An interrupted pass counts its light paths once") {
     noise.interrupt_at = -1;
     const RenderResult resumed = render_noise(noise, 64, 2, {}, &part);
     CHECK(resumed.counts.light_paths == whole.counts.light_paths);
-    CHECK(resumed.light_path_ties == whole.light_path_ties);
+    CHECK(resumed.splat_covariance == whole.splat_covariance);
     CHECK(same_sums(resumed.film, whole.film));
   }
 }

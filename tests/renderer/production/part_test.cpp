@@ -119,7 +119,7 @@ TEST_CASE("A tile's sums survive as bytes, whatever they are; other bytes are fo
   }
 }
 
-/// Shard 1/2 and 2/2 of the noise in files, and what spoils the second.
+/// Shards 1/2 and 2/2 of the noise in files, and ways to corrupt the second.
 struct Pair {
   Pair() : noise(false) {
     for (const std::uint32_t i : {1u, 2u}) {
@@ -143,7 +143,7 @@ struct Pair {
     spoilt(bytes);
     write_file(path(2), bytes);
   }
-  /// What the merge of both says; nothing if it is content.
+  /// Returns the error of merging both; empty if there is none.
   std::string complaint() const {
     try {
       Merge({path(1), path(2)}).run();

@@ -13,7 +13,7 @@
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lights, for what is shared out.
+/// Noise over five orders of magnitude, from the camera and from lights, for tests of shards.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
@@ -32,7 +32,7 @@ class ShardNoise final : public NoiseIntegrator {
       splats.add(one, {units, units, units});
       splats.add(width * height - 1 - one, {units, units, units});
       const double splat = static_cast<double>(units) * splats.unit();
-      counts.light_path_ties += 2 * splat * splat;
+      counts.splat_covariance += 2 * splat * splat;
       ++counts.light_paths;
     }
   }
@@ -67,7 +67,7 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// The header of the noise's shard, of what is rendered of it.
+/// The header of a shard of the noise, for what has been rendered of it.
 inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp,
                                       const carlo::Shard& shard,
                                       const carlo::RenderResult& result) {
@@ -84,13 +84,13 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   part.blocks =
       carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
   part.counts = result.counts;
-  part.light_path_ties = result.light_path_ties;
+  part.splat_covariance = result.splat_covariance;
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;
 }
 
-/// Whether two films have the same sums.
+/// True if two films have the same sums.
 inline bool same_sums(const carlo::Film& a, const carlo::Film& b) {
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {

@@ -23,8 +23,8 @@ struct Proof {
   /// Floats cannot represent this scene, or rounding decides which of two surfaces is hit: its
   /// results are shown, not asserted.
   bool limit = false;
-  /// Lab 08 chooses all lights with equal probability: where few of many matter, it would take too
-  /// long.
+  /// Lab 8 chooses lights half evenly and half by power: where few of many matter, it would take
+  /// too long.
   bool for_lab = true;
 };
 

@@ -1,6 +1,6 @@
-// Where the brightest light is not the one to sample: light sources near the camera under images of
-// a sky, in scenes that a stray shape makes large; lights in a Phong lobe beside stronger ones
-// outside it.
+// Scenes in which the brightest light is not the one to sample: light sources near the camera under
+// images of a sky, in scenes that a stray shape makes large; lights in a Phong lobe beside stronger
+// ones outside it.
 
 #include "closed_forms.h"
 #include "proving/ground.h"

@@ -58,7 +58,7 @@ std::uint32_t factor() {
   return text == nullptr ? 1 : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-/// What is shown for a family of scenes.
+/// The printed results of a family of scenes.
 struct Tally {
   int scenes = 0, limits = 0;
   std::array<int, 3> rendered{};

@@ -10,7 +10,7 @@
 
 namespace proving {
 
-/// The scalar integrator, the vector kernel, and lab 08's solution in a loop.
+/// The scalar integrator, the vector kernel, and lab 8's solution in a loop.
 constexpr std::array<const char*, 3> kernel_names = {"scalar", "vector", "lab 08"};
 
 /// The result of one kernel's film.
@@ -23,7 +23,7 @@ struct Reading {
 using Readings = std::array<std::optional<Reading>, kernel_names.size()>;
 
 /// Renders with all kernels on one thread. The kernels' random numbers are independent: seeds come
-/// from `seed` and the kernel. Lab 08 is only included on request.
+/// from `seed` and the kernel. Lab 8 is only included on request.
 enum class Lab { asked, not_asked };
 Readings read_film(const carlo::Scene& scene, std::uint32_t spp, std::uint64_t seed,
                    Lab lab = Lab::asked);

@@ -25,7 +25,7 @@ carlo::Camera spot_camera();
 /// sizes, they are rounded by up to 2^-24 of that, and irradiance changes by a few times as much.
 double spot_rounding(double shift);
 
-/// As in the finish, but with a given radiance: different in strength and colour.
+/// Returns the light with this material and radiance.
 carlo::Shape lit(carlo::Shape light, std::uint32_t material, carlo::Rgb radiance);
 
 }  // namespace proving

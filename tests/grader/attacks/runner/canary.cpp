@@ -93,7 +93,7 @@ void gather_orphans() {
 
 std::vector<std::string> end_those_left() {
   std::vector<std::string> list;
-  // Ending a parent hands us its children: once more until there is none.
+  // Ending a parent makes its children ours: repeat until there are none.
   while (::waitpid(-1, nullptr, WNOHANG) >= 0) {
     for (const auto& entry : fs::directory_iterator("/proc")) {
       const std::string id = entry.path().filename();

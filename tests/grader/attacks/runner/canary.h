@@ -7,14 +7,14 @@
 
 namespace carlo::grader {
 
-/// What stands below some folders: for each path its kind, rights, owner, size, and
-/// when it was changed last.
+/// The content of some folders: for each path its kind, rights, owner, size, and the time of its
+/// last change.
 class Canary {
  public:
   /// `listed`: folders that others use too, of which only the entries of unknown owners count.
   Canary(std::vector<std::filesystem::path> folders, std::vector<std::filesystem::path> listed);
 
-  /// The paths that have come, gone or changed since then.
+  /// Returns the paths that have appeared, disappeared or changed since construction.
   std::vector<std::string> changes() const;
 
  private:
@@ -28,7 +28,7 @@ class Canary {
 /// Makes this process the parent of all orphans that a program it starts leaves behind.
 void gather_orphans();
 
-/// Ends the processes that were left behind, each by its id, and tells them.
+/// Ends the processes that were left behind, each by its id, and lists them.
 std::vector<std::string> end_those_left();
 
 }  // namespace carlo::grader

@@ -90,7 +90,7 @@ class Corpus {
   Fixture* current_ = nullptr;
 };
 
-/// A text cut where `title` finds a heading in a line; what stands before the first one is "".
+/// Cuts a text at the lines in which `title` finds a heading; the part before the first one is "".
 template <class Title>
 Sections cut(const std::string& text, const Title& title) {
   Sections sections;

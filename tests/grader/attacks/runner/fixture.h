@@ -18,7 +18,7 @@ struct Fixture {
   std::string code;                           ///< its sections of a .inc; none for an honest file
   std::filesystem::path script;               ///< that hands it in; none for a folder with the file
   std::map<std::string, double> points;       ///< by exercise; those not named have none
-  std::map<std::string, std::string> status;  ///< the judge's words, where they are told
+  std::map<std::string, std::string> status;  ///< the judge's words, where they are expected
   std::string state = "judged";               ///< what becomes of the lab
   double seconds = 120;                       ///< for compiling and judging
   std::vector<std::string> levels;            ///< of the sandbox, where it is not for all
@@ -27,11 +27,11 @@ struct Fixture {
   bool is_for(const std::string& level) const;
 };
 
-/// The attacks of all *.inc and *.sh in `folder`, by name (README.md says how they stand there).
+/// Loads the attacks of all *.inc and *.sh in `folder`, by name (README.md describes the form).
 /// Throws Error naming the line that cannot be understood.
 std::vector<Fixture> load_fixtures(const std::filesystem::path& folder);
 
-/// Lab 01's exercise file with the attack in it: the stub, exercise 1.1 as the solution has it, and
+/// Lab 1's exercise file with the attack in it: the stub, exercise 1.1 as the solution has it, and
 /// the sections of the attack's code at their places ("//@ top" before all else, "//@ 1.2" at the
 /// start of that exercise's functions, "//@ 1.3 Moments::add" of those alone whose line says so,
 /// "//@ end" after all). @TREE@, @BUILD@, @CLASS@, @OUT@, @CANARY@ and @NAME@ become what they

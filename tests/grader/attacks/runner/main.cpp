@@ -88,7 +88,7 @@ Places make_places(const Options& options) {
   return places;
 }
 
-/// Runs carlo_grade to its end; its words go to attacks.log. Returns its exit code.
+/// Runs carlo_grade to its end; its output goes to attacks.log. Returns its exit code.
 int run_grader(const Options& options, const Places& places) {
   const fs::path work = places.out.parent_path();
   std::vector<std::string> words{places.build / "bin/carlo_grade",
@@ -114,8 +114,8 @@ int run_grader(const Options& options, const Places& places) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Some submission has no marks, because others took the processors for so long that nothing can be
-/// said of it.
+/// Returns whether some submission has no marks because others kept the processors so busy that it
+/// could not be judged.
 bool was_too_busy(const std::vector<Fixture>& fixtures, const Places& places) {
   return std::any_of(fixtures.begin(), fixtures.end(), [&](const Fixture& fixture) {
     const std::optional<Record> record = load_record(places.out / fixture.name);
@@ -124,8 +124,8 @@ bool was_too_busy(const std::vector<Fixture>& fixtures, const Places& places) {
   });
 }
 
-/// As an instructor grades: where the grader asks for the same command again, again. An attack that
-/// keeps it from marks by itself does so each time.
+/// Grades as an instructor does: repeats the command when the grader asks for that. An attack that
+/// prevents its own marks does so each time.
 int grade(const std::vector<Fixture>& fixtures, const Options& options, const Places& places) {
   constexpr int most = 3;
   int code = run_grader(options, places);
@@ -136,7 +136,7 @@ int grade(const std::vector<Fixture>& fixtures, const Options& options, const Pl
   return code;
 }
 
-/// What is wrong with the marks of an attack; empty when they are right.
+/// Returns what is wrong with the marks of an attack; empty if they are right.
 std::string fault_of(const Fixture& fixture, const Record& record, const LabGrade& lab) {
   if (state_of(lab) != fixture.state) {
     return fmt::format("the lab is \"{}\", expected \"{}\" ({})", state_of(lab), fixture.state,
@@ -163,10 +163,11 @@ std::string fault_of(const Fixture& fixture, const Record& record, const LabGrad
   return "";
 }
 
-/// Whoever hands in may choose what is told, but not how much.
+/// A submission may choose the content of its results, but not their size.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
-/// Files that a submission's results consist of, and what none of them may tell.
+/// Returns what is wrong with a submission's files of results: their size, a missing file, or a
+/// secret in one.
 std::string fault_of_files(const Fixture& fixture, const fs::path& folder) {
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -182,7 +183,7 @@ std::string fault_of_files(const Fixture& fixture, const fs::path& folder) {
   return "";
 }
 
-/// One row of the table. False when something is wrong.
+/// Prints a row of the table. Returns false if something is wrong.
 bool judge_fixture(const Fixture& fixture, const Options& options, const Places& places) {
   const std::optional<Record> record = load_record(places.out / fixture.name);
   std::string fault = "no record", points = "-";
@@ -199,7 +200,7 @@ bool judge_fixture(const Fixture& fixture, const Options& options, const Places&
   return fault.empty();
 }
 
-/// Things that went wrong beside the marks.
+/// Prints what went wrong besides the marks. Returns true if nothing did.
 bool tell(const std::string& title, const std::vector<std::string>& things) {
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(things.size(), shown); ++i)
@@ -251,7 +252,7 @@ int run(const Options& options) {
   for (const Fixture& fixture : fixtures)
     hand_in(fixture, places);
   gather_orphans();
-  // At the two weaker levels the folders of temporary files are open to all; that is their nature.
+  // At the two weaker levels the folders of temporary files are open to all by design.
   const Level level = level_of(options.level);
   const bool shut_in = level == Level::landlock || level == Level::bubblewrap;
   const Canary canary(
