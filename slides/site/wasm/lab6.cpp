@@ -1,9 +1,10 @@
 // Lab 6: two densities and their MIS weights, Veach's plates, and a tail that error bars miss.
 
 #include "call.h"
-#include "plates.h"
+#include "importance.h"
 #include "power_family.h"
 
+#include <array>
 #include <cmath>
 
 namespace site {
@@ -14,9 +15,6 @@ using namespace lab06;
 /// One light and one lobe on the line: the light is centred at 1/2, the mirror direction is m.
 struct Setting {
   double half, scale, m;
-
-  /// From three arguments: the light's half width, the lobe's scale, m.
-  explicit Setting(const Arguments& given) : half(given[0]), scale(given[1]), m(given[2]) {}
 
   Density light() const { return uniform_density(0.5 - half, 0.5 + half); }
   Density lobe() const { return logistic_density(m, scale); }
@@ -36,7 +34,7 @@ struct Setting {
 /// half, scale, m, points: f, the two densities, and the light's weights by the balance and by the
 /// power heuristic, at points of [0, 1].
 Numbers curves(const Arguments& given) {
-  const Setting setting(given);
+  const Setting setting{given[0], given[1], given[2]};
   const Density light = setting.light(), lobe = setting.lobe();
   const lab06::Function f = setting.f();
   Numbers results;
@@ -52,7 +50,7 @@ Numbers curves(const Arguments& given) {
 /// half, scale, m, way (0 light, 1 lobe, 2 both with balance, 3 with power weights), N, runs, seed:
 /// the RMS error relative to the integral; the mean of the runs; the integral.
 Numbers errors(const Arguments& given) {
-  const Setting setting(given);
+  const Setting setting{given[0], given[1], given[2]};
   const std::int64_t n = given.whole(4), way = given.whole(3);
   const Heuristic heuristic = way == 2 ? balance_weight : power_weight;
   const std::int64_t of_light = way == 0 ? n : way == 1 ? 0 : n / 2;
@@ -69,22 +67,55 @@ Numbers errors(const Arguments& given) {
   return {error / exact, sum / given[5], exact};
 }
 
-/// way (0 lights, 1 lobe, 2 both with power weights, 3 exact), samples, seed, plate, columns, rows:
-/// estimates of a plate's pixels, row by row.
+/// Veach's plates on the line: lights of equal power, from a point to a panel, as settings of one
+/// mirror direction and one lobe.
+std::vector<Setting> plate_lights(double size, double scale, double m) {
+  constexpr std::array<std::array<double, 2>, 4> lights = {
+      {{0.125, 0.0008}, {0.375, 0.005}, {0.625, 0.025}, {0.86, 0.09}}};
+  std::vector<Setting> settings;
+  // A setting has its light at 1/2: the mirror direction moves instead.
+  for (const auto& [centre, half] : lights)
+    settings.push_back({half * size, scale, m + 0.5 - centre});
+  return settings;
+}
+
+/// way (0 lights, 1 lobe, 2 both with power weights, 3 exact), samples, seed, plate, columns, rows,
+/// factors of the lights' sizes and of the lobes' scales: estimates of a plate's pixels, row by
+/// row. A sample chooses one of the lights; directions of the lobe see all.
 Numbers plate(const Arguments& given) {
-  const double scale = plate_scales.at(given.index(3));
+  constexpr std::array<double, 4> scales = {0.0006, 0.003, 0.012, 0.05};
+  const double scale = scales.at(given.index(3)) * given[7];
   const std::int64_t way = given.whole(0), n = given.whole(1);
+  const std::int64_t of_lights = way == 0 ? n : way == 1 ? 0 : n / 2;
   carlo::Rng rng = given.rng(2, 3);
   Numbers pixels;
   for (std::int64_t i = 0; i < given.whole(4) * given.whole(5); ++i) {
     const double m = (static_cast<double>(i % given.whole(4)) + 0.5) / given[4];
+    const std::vector<Setting> lights = plate_lights(given[6], scale, m);
     if (way == 3) {
-      pixels.push_back(plate_exact(m, scale));
+      double sum = 0;
+      for (const Setting& light : lights)
+        sum += light.exact();
+      pixels.push_back(sum);
       continue;
     }
-    const std::int64_t of_lights = way == 0 ? n : way == 1 ? 0 : n / 2;
-    pixels.push_back(multi_sample(plate_integrand(m, scale), {light_technique(), of_lights},
-                                  {lobe_technique(m, scale), n - of_lights}, power_weight, rng));
+    // In coordinates of the offset from m, where all lights share one lobe.
+    const auto radiance = [&](double offset) {
+      double sum = 0;
+      for (const Setting& light : lights)
+        sum += light.light().pdf(offset + light.m);
+      return sum;
+    };
+    const Density lobe = logistic_density(0, scale);
+    const Density points = {[&](double u) {
+                              const auto chosen = static_cast<std::size_t>(4 * u);
+                              const Setting& light = lights[chosen];
+                              return light.light().sample(4 * u - static_cast<double>(chosen)) -
+                                     light.m;
+                            },
+                            [&](double offset) { return radiance(offset) / 4; }};
+    pixels.push_back(multi_sample([&](double x) { return radiance(x) * lobe.pdf(x); },
+                                  {points, of_lights}, {lobe, n - of_lights}, power_weight, rng));
   }
   return pixels;
 }

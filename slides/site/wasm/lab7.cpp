@@ -1,6 +1,5 @@
 // Lab 7: hemisphere samplers as points on a dome, and irradiance known in closed form.
 
-#include "07_hemisphere/scenes.h"
 #include "call.h"
 #include "hemisphere.h"
 
@@ -71,31 +70,26 @@ Numbers lobe(const Arguments& given) {
   return {below / given[2], angle / given[2] * 180 / 3.14159265358979324};
 }
 
-/// scene, technique (0 rejection, 1 uniform, 2 cosine, 3 lobe), x, y, directions, runs, seed: the
-/// RMS error of the irradiance (or ambient occlusion) of the floor's point, relative to the exact
-/// value; the exact value.
+/// technique (0 rejection, 1 uniform, 2 cosine, 3 lobe), radius of a round light of radiance 1 at
+/// height 1, distance of the floor's point from its foot, directions, runs, seed: the RMS error of
+/// the irradiance relative to the exact value; the exact value.
 Numbers floor_error(const Arguments& given) {
-  const Scene scene = scenes().at(given.index(0));
-  const Vec3 p(static_cast<float>(given[2]), static_cast<float>(given[3]), 0);
-  Sampling sampling{static_cast<Technique>(given.whole(1))};
-  if (sampling.technique == Technique::lobe && scene.light) {
-    // As the lab's experiment has it: a lobe that points at the light and falls to 1/e at its rim.
-    const Vec3 to_light = scene.centre - p, w = glm::normalize(to_light);
-    const float ratio = glm::length(to_light) / scene.radius;
-    sampling.wo = {-w.x, -w.y, w.z};
-    sampling.n = 2 * ratio * ratio;
-  } else {
-    sampling.n = 2;
-  }
-  carlo::Rng rng = given.rng(6, 4);
-  const auto trial = [&] {
-    return scene.light ? irradiance([&](Vec3 wi) { return scene.hit(p, wi) ? 1.0f : 0.0f; },
-                                    {0, 0, 1}, sampling, given.whole(4), rng)
-                       : ambient_occlusion([&](Vec3 wi) { return !scene.hit(p, wi); }, {0, 0, 1},
-                                           sampling, given.whole(4), rng);
+  const double r2 = given[1] * given[1], x2 = given[2] * given[2], a = x2 + 1;
+  const double exact =
+      1.57079632679489662 * (1 - (a - r2) / std::sqrt((a + r2) * (a + r2) - 4 * r2 * x2));
+  const auto distance = static_cast<float>(given[2]), radius = static_cast<float>(given[1]);
+  Sampling sampling{static_cast<Technique>(given.whole(0))};
+  // The lobe points at the light and falls to 1/e at its rim.
+  const Vec3 to_light = glm::normalize(Vec3(-distance, 0, 1));
+  sampling.wo = {-to_light.x, -to_light.y, to_light.z};
+  sampling.n = 2 * (distance * distance + 1) / (radius * radius);
+  const auto light = [=](Vec3 wi) {
+    const float x = distance + wi.x / wi.z, y = wi.y / wi.z;
+    return wi.z > 0 && x * x + y * y < radius * radius ? 1.0f : 0.0f;
   };
-  const double exact = scene.exact(p);
-  return {rms_error(given.whole(5), exact, trial) / exact, exact};
+  carlo::Rng rng = given.rng(5, 3);
+  const auto trial = [&] { return irradiance(light, {0, 0, 1}, sampling, given.whole(3), rng); };
+  return {rms_error(given.whole(4), exact, trial) / exact, exact};
 }
 
 const Function functions[] = {{"7.dome", dome}, {"7.lobe", lobe}, {"7.floor", floor_error}};

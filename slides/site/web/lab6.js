@@ -38,15 +38,19 @@ carlo.experiment("plates", {
   intro: "Four plates from nearly mirror-like (top) to nearly matt, four lights of equal power from a point (left) to a panel. Every pixel is its own estimate, as in lab 6.7.",
   question: "where are the points of the lights the noisier technique?",
   choices: ["small light, rough plate", "large light, smooth plate", "everywhere alike"],
-  controls: { n: { label: "samples a pixel", steps: [2, 4, 8, 16, 32, 64], value: 4 } },
-  async run({ n, seed }, view) {
+  controls: {
+    n: { label: "samples a pixel", steps: [2, 4, 8, 16, 32, 64], value: 4 },
+    size: { label: "size of the lights", steps: [0.25, 0.5, 1, 2], value: 1, unit: "times" },
+    rough: { label: "roughness of the plates", steps: [0.25, 0.5, 1, 2, 4], value: 1, unit: "times" },
+  },
+  async run({ n, size, rough, seed }, view) {
     const columns = 240, rows = 14, gap = 3, sums = [0, 0, 0], truth = [];
     const names = ["Points of the lights", "Directions of the lobe", "Both, power heuristic", "Exact"];
     const seconds = [];
     for (const way of [3, 0, 1, 2]) {
       const picture = [];
       for (let plate = 0; plate < 4; ++plate) {
-        const [pixels, time] = view.timed(() => carlo.call("6.plate", way, n, seed, plate, columns, rows));
+        const [pixels, time] = view.timed(() => carlo.call("6.plate", way, n, seed, plate, columns, rows, size, rough));
         seconds[way] = (seconds[way] ?? 0) + time;
         pixels.forEach((value, i) => {
           if (way === 3) truth.push(value);
@@ -62,8 +66,8 @@ carlo.experiment("plates", {
     }
     const errors = sums.map((sum) => Math.sqrt(sum / (4 * rows * columns)));
     const methods = names.slice(0, 3).map((_, way) => ({ name: ["lights", "lobe", "both"][way], theory: -0.5, sizes: [2, 4, 8, 16, 32, 64],
-      error: (size) => Math.sqrt([0, 1, 2, 3].reduce((sum, plate) => {
-        const pixels = carlo.call("6.plate", way, size, seed, plate, columns, rows);
+      error: (samples) => Math.sqrt([0, 1, 2, 3].reduce((sum, plate) => {
+        const pixels = carlo.call("6.plate", way, samples, seed, plate, columns, rows, size, rough);
         return pixels.reduce((total, value, i) => total + (value - truth[plate * rows * columns + i]) ** 2, sum);
       }, 0) / (4 * rows * columns)) }));
     view.slopes(methods, await view.ladder({ methods, runs: () => 1, xlabel: "samples a pixel", ylabel: "RMS error of a pixel" }));

@@ -44,35 +44,32 @@ carlo.experiment("dome", {
     view.table("The lobe", ["wo", "below the horizon", "mean angle"], rows.map(([angle, below, mean]) =>
       [angle, `${carlo.digits(100 * below)} %`, `${carlo.digits(mean)}°`]), `n = ${carlo.digits(n)}, 10 000 directions each`);
     const methods = samplerNames.slice(0, 3).map((_, technique) => ({ name: ["rejection", "uniform", "cosine"][technique], theory: -0.5, sizes: [16, 64, 256, 1024, 4096],
-      error: (size, runs) => carlo.call("7.floor", 0, technique, 0.4, 0, size, runs, seed)[0] }));
+      error: (size, runs) => carlo.call("7.floor", technique, 0.6, 0.4, size, runs, seed)[0] }));
     await view.ladder({ methods, runs: () => 64, xlabel: "directions N", ylabel: "relative error of irradiance" });
     view.say(which === 3 ? `Mean angle with the mirror direction: ${carlo.digits(rows[0][2])}°; ${carlo.digits(100 * rows[0][1])} % of the directions lie below the horizon and carry nothing.`
       : which ? "By inversion every pair of numbers gives a direction." : `Rejection throws ${carlo.digits(found.at(-1) / count)} darts a direction; by the volumes of cube and ball it should be 6/π = 1.91.`);
   },
 });
 
-const floorScenes = ["round light", "glowing ball", "ball on the floor: occlusion", "two walls: occlusion"];
-
 carlo.experiment("floor", {
   title: "Irradiance that is known exactly",
-  intro: "A point of a floor under a light, or beside an object that hides the sky (lab 7.7). Irradiance and occlusion are known in closed form; the error is that of N directions.",
-  question: "under the round light, which directions give the least error per second?",
-  choices: ["uniform", "cosine-weighted", "a lobe towards the light"],
+  intro: "A point of a floor under a round light of radiance 1 at height 1 (lab 7.7). The irradiance is known in closed form; the error is that of N directions. The lobe points at the light and falls to 1/e at its rim.",
+  question: "a light of radius .1: which directions have the least error for their time?",
+  choices: ["uniform", "cosine-weighted", "the lobe towards the light"],
   controls: {
-    scene: { label: "scene", options: floorScenes, value: 0 },
-    x: { label: "point x", min: -0.9, max: 0.9, step: 0.1, value: 0.4 },
-    y: { label: "point y", min: -0.9, max: 0.9, step: 0.1, value: 0 },
+    radius: { label: "radius of the light", steps: [0.05, 0.1, 0.2, 0.4, 0.8, 1.6], value: 0.1, unit: "heights" },
+    x: { label: "distance of the point from its foot", min: 0, max: 3, step: 0.2, value: 0.4, unit: "heights" },
   },
-  async run({ scene, x, y, seed }, view) {
+  async run({ radius, x, seed }, view) {
     const names = ["rejection", "uniform", "cosine", "lobe"];
-    const methods = names.map((name, technique) => ({ name, theory: -0.5, sizes: [4, 16, 64, 256, 1024, 4096, 16384],
-      error: (n, runs) => carlo.call("7.floor", scene, technique, x, y, n, runs, seed)[0] }));
-    const fits = await view.ladder({ methods, runs: (n) => Math.max(16, Math.min(200, Math.round(1e5 / n))), xlabel: "directions N", ylabel: "relative RMS error" });
+    const methods = names.map((name, technique) => ({ name, theory: -0.5, sizes: [64, 256, 1024, 4096, 16384],
+      error: (n, runs) => carlo.call("7.floor", technique, radius, x, n, runs, seed)[0] }));
+    const fits = await view.ladder({ methods, runs: (n) => Math.max(16, Math.min(200, Math.round(2e5 / n))), xlabel: "directions N", ylabel: "relative RMS error" });
     view.slopes(methods, fits);
-    const found = names.map((_, technique) => view.timed(() => carlo.call("7.floor", scene, technique, x, y, 1024, 64, seed)));
-    const price = found.map(([[error], seconds]) => error ** 2 * seconds);
+    const found = names.map((_, technique) => view.timed(() => carlo.call("7.floor", technique, radius, x, 1024, 64, seed)));
+    const price = found.map(([[error], seconds]) => error ** 2 * seconds), least = Math.min(...price);
     view.table("N = 1024", ["", "relative error", "μs", "error² × time"], found.map(([[error], seconds], i) =>
-      [names[i], carlo.digits(error), carlo.digits(1e6 * seconds / 64), carlo.digits(price[i] / Math.min(...price))]), "the last column relative to the best");
-    view.say(`Exact: ${carlo.digits(found[0][0][1], 5)}. The least error² × time here has “${names[price.indexOf(Math.min(...price))]}”.`);
+      [names[i], carlo.digits(error), carlo.digits(1e6 * seconds / 64), carlo.digits(price[i] / least)]), "the last column relative to the best");
+    view.say(`Exact: ${carlo.digits(found[0][0][1], 5)}. The least error² × time here has “${names[price.indexOf(least)]}”.`);
   },
 });

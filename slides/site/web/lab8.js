@@ -142,19 +142,20 @@ carlo.experiment("recap", {
   controls: {
     albedo: { label: "albedo of the wall", min: 0.1, max: 0.9, step: 0.1, value: 0.5 },
     ball: { label: "ball's radius over the room's", steps: [0.05, 0.1, 0.2, 0.3, 0.5, 0.7], value: 0.3 },
-    n: { label: "paths N", steps: [1000, 10000, 100000], value: 10000 },
+    n: { label: "paths N, at most", steps: [300, 1000, 3000, 10000], value: 3000 },
   },
   async run({ albedo, ball, n, seed }, view) {
     const names = ["Recap as printed", "Recap, corrected", "random direction as printed"], rows = [];
     const methods = names.map((name, form) => ({ name: ["printed", "corrected", "random"][form], form, points: [], seconds: [] }));
-    for (let size = 100; size <= n; size *= 10) {
+    const sizes = [100, 300, 1000, 3000, 10000].filter((size) => size <= n);
+    for (const size of sizes) {
       for (const method of methods) {
         const [found, time] = view.timed(() => carlo.call("8.recap", albedo, ball, method.form, size, seed));
         method.points.push(found), method.seconds.push(time);
         await view.pause();
       }
     }
-    const exact = methods[0].points[0][2], sizes = methods[0].points.map((_, i) => 100 * 10 ** i);
+    const exact = methods[0].points[0][2];
     methods.forEach(({ points, form }) => {
       const [mean, error, , printed, random] = points.at(-1);
       rows.push([names[form], `${carlo.digits(mean)} ± ${carlo.digits(error, 2)}`, carlo.digits([printed, exact, random][form])]);

@@ -6,8 +6,8 @@ carlo.experiment("density", {
   question: "what happens to the best radius if 16 times as many photons are emitted?",
   choices: ["it stays", "it shrinks", "it grows"],
   controls: {
-    photons: { label: "photons emitted", steps: [512, 2048, 8192, 32768], value: 8192 },
-    maps: { label: "photon maps", steps: [16, 64, 256], value: 64 },
+    photons: { label: "photons emitted", steps: [512, 2048, 8192, 16384], value: 8192 },
+    maps: { label: "photon maps", steps: [16, 64, 128], value: 64 },
     alpha: { label: "α of shrinking discs", min: 0.5, max: 0.9, step: 0.1, value: 0.7 },
   },
   async run({ photons, maps, alpha, seed }, view) {
