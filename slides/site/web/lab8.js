@@ -16,12 +16,12 @@ carlo.experiment("tracer", {
   title: "The path tracer",
   intro: "Lab 8's tracers at 128 × 128 pixels, one thread. Two of them side by side get the same time, in turns. The error is the root mean square of the pixels' standard errors, relative to the mean luminance; touch or hover over a pixel, or move with the arrow keys, for its own.",
   question: "the same seconds, the Cornell box: how large is the error of the tracer that samples lights, compared with that of TracePath?",
-  choices: ["the same", "about two thirds", "a tenth", "a hundredth"],
+  choices: ["the same", "less than half", "a tenth", "a hundredth"],
   controls: {
     scene: { label: "scene", options: sceneNames, value: 0 },
     left: { label: "left", options: tracers, value: 1 },
     right: { label: "right", options: tracers, value: 3 },
-    depth: { label: "longest path (8.8)", steps: [0, 1, 2, 3, 4, 6, 10], value: 0, text: (d) => (d ? `${d} segments` : "as long as it takes") },
+    depth: { label: "longest path (8.8)", steps: [0, 1, 2, 3, 4, 6, 10], value: 0, text: (d) => (d ? `${d} segments` : "any length") },
     seconds: { label: "time for each", steps: [1, 2, 5, 10, 30, 120], value: 5, unit: "s" },
   },
   async run({ scene, left, right, depth, seconds, seed }, view) {
