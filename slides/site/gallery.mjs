@@ -13,9 +13,9 @@ const samples = [4, 16, 64];
 /** The reports of a scene's renders, one for each number of samples; kept until the renderer changes. */
 function reports(root, renderer, scene, folder) {
   return samples.map((spp) => {
-    const base = path.join(folder, `${scene}-${spp}`), report = `${base}.json`;
+    const base = path.join(folder, `${scene}-160-${spp}`), report = `${base}.json`;
     if (!fs.existsSync(report) || fs.statSync(report).mtimeMs < fs.statSync(renderer).mtimeMs) {
-      execFileSync(renderer, [`common/scenes/${scene}.xml`, "--size", "192x192", "--spp", spp, "--no-sums", "--quiet", "-o", base],
+      execFileSync(renderer, [`common/scenes/${scene}.xml`, "--size", "160x160", "--spp", spp, "--no-sums", "--quiet", "-o", base],
                    { cwd: root, stdio: "pipe" });
       fs.rmSync(`${base}.exr`);
     }
@@ -37,7 +37,7 @@ function sceneHtml({ root, out, book }, renderer, scene, folder) {
     kind: "loglog", narrow: true, xlabel: "seconds", ylabel: "relative error of a pixel", xunit: "seconds",
     guides: [{ slope: -0.5, at, to: points.at(-1)[0], label: "-1/2" }] },
     `Error against seconds, ${scene}`, [{ name: "", points }]);
-  const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="192" height="192">`;
+  const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="160" height="160">`;
   return `<figure id="${scene}"><figcaption>${scene}<span>${escaped(teaches)}</span></figcaption>
 <div class="pair">${img(scene, `The scene ${scene}`)}${img(`${scene}.error`, `Map of the relative noise of ${scene}`)}</div>
 <p>${last.spp} samples a pixel in ${three(last.seconds)} s, ${three(last.paths / last.seconds / 1e6)} million paths a second; a pixel’s standard
@@ -54,7 +54,7 @@ export function gallery(context, programs, { markdown }) {
   context.write("gallery.html", page(context, {
     name: "gallery.html",
     title: "The scenes",
-    lead: "Rendered when this site was made, at 192 × 192 pixels, by <code>./carlo render</code>. Its Sobol’ points make errors fall faster than −1/2; the first tenths of a second also start it.",
+    lead: "Rendered when this site was made, at 160 × 160 pixels, by <code>./carlo render</code>. Its Sobol’ points make errors fall faster than −1/2; the first tenths of a second also start it.",
     body: `<div class="charts scenes">${figures.join("\n")}</div>
 <section><h2>Beside other renderers</h2><div class="text">${markdown.render(peers).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div></section>`,
   }));

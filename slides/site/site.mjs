@@ -38,10 +38,13 @@ function buildModule() {
   return path.join(folder, "carlo.js");
 }
 
-/** Copies the decks that are built; large data of each goes into a file that others share. */
-function copyDecks(book, out) {
+/** Copies the labs' decks that are built; large data of each goes into a file that others share. */
+function copyDecks(book, labs, out) {
   const from = path.join(root, "out/slides"), to = path.join(out, "slides");
-  const names = book.decks.map((deck) => `${deck.name}.html`).filter((name) => fs.existsSync(path.join(from, name)));
+  const names = book.decks
+    .filter((deck) => labs.some((lab) => lab.digits === deck.number))
+    .map((deck) => `${deck.name}.html`)
+    .filter((name) => fs.existsSync(path.join(from, name)));
   if (names.length) fs.mkdirSync(path.join(to, "data"), { recursive: true });
   for (const name of names) {
     const html = fs.readFileSync(path.join(from, name), "utf8")
@@ -111,7 +114,7 @@ function main([programs, out]) {
   write("carlo.js", fs.readFileSync(module, "utf8") +
     `\nconst carloScenes = ${execFileSync(path.join(programs, "carlo_site_native"), ["scenes"], { encoding: "utf8" })};\n` +
     fs.readFileSync(path.join(here, "web/live.js"), "utf8").replace('"use strict";', ""));
-  const decks = copyDecks(book, out);
+  const decks = copyDecks(book, labs, out);
   const context = { root, book, labs, formulas, decks, write, out };
   for (const lab of labs) {
     const text = textOf(root, `labs/${lab.folder}/README.md`, tools, formulas, pages);

@@ -75,6 +75,10 @@ describe("every page", () => {
       }
     });
   }
+  test("fewer than 15 MB", () => {
+    const files = fs.readdirSync(site, { recursive: true }).map((name) => fs.statSync(path.join(site, name)));
+    assert.ok(files.reduce((sum, file) => sum + (file.isFile() ? file.size : 0), 0) < 15e6);
+  });
   test("links lead to pages of the site", () => {
     for (const name of pages) {
       const html = fs.readFileSync(path.join(site, name), "utf8");
