@@ -110,8 +110,8 @@ carlo.experiment("battery", {
 });
 
 function drawBattery(view, found, sizes) {
-  const verdict = (p) => (p === undefined ? "" : p < 0 ? "–" : p < 1e-9 ? `<strong class="c2">${carlo.digits(p, 1)}</strong>` : carlo.digits(p, 2));
+  const verdict = (p) => (p === undefined ? "" : p < 0 ? "–" : p < 1e-9 ? `<strong class="caught">${carlo.digits(p, 1)}</strong>` : carlo.digits(p, 2));
   view.table("p-values", ["test", ...sizes.map((n) => `2<sup>${Math.log2(n)}</sup>`)],
     testNames.map((test, t) => [test, ...sizes.map((_, i) => verdict(found[t][i]))]),
-    "orange: caught; –: no verdict on so many words of so many bits");
+    "underlined: caught; –: no verdict on so many words of so many bits");
 }

@@ -33,7 +33,7 @@ function drawWeights(view, weights, counts, changed) {
   };
   const canvas = draw();
   canvas.tabIndex = 0;
-  canvas.className = "turn";
+  canvas.className = "draw";
   const set = (bin, weight) => {
     chosen = Math.min(binCount - 1, Math.max(0, bin));
     weights[chosen] = Math.min(1, Math.max(0.002, weight));

@@ -293,11 +293,13 @@ const carlo = (() => {
     article.innerHTML = `<h3>${curly(definition.title)}</h3><p>${curly(definition.intro)}</p>
 <fieldset class="expect"><legend>Before you run it: ${curly(definition.question)}</legend>${expects}</fieldset>
 <form class="controls">${Object.entries(controls).map(([id, one]) => controlHtml(name, id, one)).join("")}
-<div class="buttons"><button type="submit">Run</button><button type="button" data-next>Another seed</button></div></form>
+<div class="buttons"><button type="submit">Run</button><button type="button" data-next>Another seed</button><button type="button" data-stop hidden>Stop</button></div></form>
 <p class="status" role="status"></p><div class="charts"></div>`;
     const form = article.querySelector("form"), box = article.querySelector(".charts");
     const inputs = [...form.querySelectorAll("[data-id]")];
+    const stop = article.querySelector("[data-stop]");
     let run = 0, started = false;
+    const ended = () => { article.dataset.state = "done"; stop.hidden = true; };
 
     const values = () => Object.fromEntries(inputs.map((input) =>
       [input.dataset.id, fromInput(controls[input.dataset.id], input)]));
@@ -323,10 +325,11 @@ const carlo = (() => {
       status.replaceChildren(...(expected ? [`You expected: ${expected.parentNode.textContent.trim()}. `] : []), words);
       view.status = words;
       article.dataset.state = "running";
+      stop.hidden = false;
       try {
         await ready;
         await definition.run(values(), view);
-        if (run === mine) article.dataset.state = "done";
+        if (run === mine) ended();
       } catch (error) {
         if (!(error instanceof Stopped)) throw error;
       }
@@ -345,7 +348,7 @@ const carlo = (() => {
       remember();
       start();
     });
-    article.addEventListener("carlo-stop", () => { ++run; article.dataset.state = "done"; });
+    stop.addEventListener("click", () => { ++run; ended(); });
     const restyle = () => { if (article.dataset.state === "done") start(); };
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
     set({});
