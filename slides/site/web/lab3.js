@@ -7,15 +7,18 @@ const knownLcgs = [
   { name: "MINSTD", a: 16807, b: 0, c: 2147483647 },
   { name: "MINSTD, 48271", a: 48271, b: 0, c: 2147483647 },
   { name: "a = 69069", a: 69069, b: 1, c: 2 ** 32 },
-  { name: "ANSI C, 15 bits of state shown", a: 1103515245, b: 12345, c: 2 ** 31 },
+  { name: "ANSI C's example, whole state", a: 1103515245, b: 12345, c: 2 ** 31 },
   { name: "typed below" },
 ];
 const lcgControls = {
   which: { label: "generator", options: knownLcgs.map((one) => one.name), value: 0 },
   a: { label: "a, if typed", typed: true, min: 1, max: 2 ** 32 - 1, value: 137 },
   b: { label: "b, if typed", typed: true, min: 0, max: 2 ** 32 - 1, value: 187 },
-  c: { label: "c, if typed", typed: true, min: 2, max: 2 ** 32, value: 4096 },
+  c: { label: "c, if typed", typed: true, min: 256, max: 2 ** 32, value: 4096 },
 };
+
+/** x_0, odd as RANDU and MINSTD want it. */
+const firstOf = ({ seed }) => 2 * (seed % 2 ** 31) + 1;
 
 /** The generator that the controls choose; 0 < a < c. */
 function lcgOf({ which, a, b, c }) {
@@ -33,7 +36,7 @@ carlo.experiment("planes", {
   controls: { ...lcgControls, n: { label: "triples", steps: [1000, 2000, 4000, 8000, 16000], value: 4000 } },
   async run(values, view) {
     const lcg = lcgOf(values), { a, b, c, lattice } = lcg;
-    const points = carlo.call("3.triples", a, b, c, values.seed || 1, values.n);
+    const points = carlo.call("3.triples", a, b, c, firstOf(values), values.n);
     const [nu, planes, ...normal] = carlo.call("3.spectral", a, b, c, 3);
     const wires = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].flatMap((corner, k) => [0, 1, 2].flatMap((axis) => {
       if (k && corner[axis]) return [];
@@ -45,15 +48,16 @@ carlo.experiment("planes", {
       note: "drag to turn, or use the arrow keys; the button below looks along the planes",
       axes: [["xₙ", [1.06, 0, 0]], ["xₙ₊₁", [0, 1.06, 0]], ["xₙ₊₂", [0, 0, 1.06]]] });
     addButton(view, "Look along the planes", () => turntable.along(alongOf(normal)));
-    const four = carlo.call("3.spectral", a, b, Math.min(lattice, 2 ** 31), 4);
+    // The search in four dimensions takes seconds for more.
+    const four = lattice <= 2 ** 31 ? carlo.call("3.spectral", a, b, lattice, 4) : null;
     const plane = carlo.call("3.spectral_plane", a, lattice)[0];
     const ideal = [1.0746, 1.1225, 1.1892].map((gamma, i) => gamma * lattice ** (1 / (i + 2)));
     view.table("Spectral figures", ["d", "ν", "at best", "the vector s across the planes"], [
       ["2", carlo.digits(plane, 5), carlo.digits(ideal[0]), ""],
       ["3", carlo.digits(nu, 5), carlo.digits(ideal[1]), normal.join(", ")],
-      ["4", lattice <= 2 ** 31 ? carlo.digits(four[0], 5) : "–", carlo.digits(ideal[2]), lattice <= 2 ** 31 ? four.slice(2).join(", ") : ""],
+      ["4", four ? carlo.digits(four[0], 5) : "–", carlo.digits(ideal[2]), four ? four.slice(2).join(", ") : ""],
     ], "ν: one over the distance of neighbouring lines, planes, hyperplanes; “at best” is Hermite’s bound");
-    await integrals(view, lcg, values.seed || 1);
+    await integrals(view, lcg, firstOf(values));
     view.say(`${carlo.escaped(lcg.name)}: all triples lie on at most ${carlo.digits(planes)} planes, ${carlo.digits(1 / nu)} apart ` +
       `(a perfect lattice of as many points: ${carlo.digits(1 / ideal[1])}).`);
   },
@@ -93,7 +97,7 @@ carlo.experiment("battery", {
   choices: ["the frequencies of single numbers", "pairs as points of a square", "triples as points of a cube"],
   controls: { ...lcgControls, k: { label: "words, at most", steps: [12, 14, 16, 18, 20], value: 16, text: (k) => carlo.digits(2 ** k, 7) } },
   async run(values, view) {
-    const { a, b, c, name } = lcgOf(values), x = values.seed || 1;
+    const { a, b, c, name } = lcgOf(values), x = firstOf(values);
     const found = testNames.map(() => []), sizes = [];
     for (let k = 10; k <= values.k; k += 2) {
       sizes.push(2 ** k);
