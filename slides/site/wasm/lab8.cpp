@@ -166,8 +166,8 @@ Numbers furnace_deviations(const Arguments& given) {
 }
 
 /// albedo, the ball's radius, form (0 the Recap as printed, 1 corrected, 2 a random direction as
-/// printed), paths, seed: mean and standard error; the exact radiance; the mean of each printed
-/// form, in closed form (Recap, random direction).
+/// printed), paths of at most 100 calls, seed: mean and standard error; the exact radiance; the
+/// mean of each printed form, in closed form (Recap, random direction).
 Numbers recap(const Arguments& given) {
   constexpr RecapForm forms[] = {recap_as_printed, recap_mended, random_direction_as_printed};
   const RecapRoom room{given[0], given[1], 0, 1};
@@ -175,7 +175,7 @@ Numbers recap(const Arguments& given) {
   Rng rng = given.rng(4, 3);
   RunningMean mean;
   for (std::int64_t i = 0; i < given.whole(3); ++i) {
-    const RecapPath path = forms[given.index(2)](world, room.light(), RecapRoom::ray(), 1000, rng);
+    const RecapPath path = forms[given.index(2)](world, room.light(), RecapRoom::ray(), 100, rng);
     mean.add(static_cast<double>(path.radiance.r));
   }
   return {mean.mean(), mean.error(), room.exact(), room.recap_mean(), room.random_direction_mean()};

@@ -121,7 +121,7 @@ carlo.experiment("power", {
     const sigma = Math.sqrt((e + 1) / (e + 3) - ((e + 1) / (e + 2)) ** 2);
     const methods = ["inversion", "rejection"].map((name, way) => ({ name, sizes: [16, 64, 256, 1024, 4096], theory: -0.5,
       error: (size, runs) => carlo.call("5.power", way, e, size, runs, seed)[0], exact: (size) => sigma / Math.sqrt(size) }));
-    const fits = await view.ladder({ methods, runs: () => 32, xlabel: "samples N" });
+    const fits = await view.ladder({ methods, runs: () => Math.max(8, Math.min(32, Math.round(1024 / (e + 1)))), xlabel: "samples N" });
     view.slopes(methods, fits);
     view.say(`At n = ${e} rejection throws ${carlo.digits(e + 1)} darts a sample (closed form) and takes ${carlo.digits(cost[1][exponents.indexOf(e)] / cost[0][exponents.indexOf(e)])} ` +
       "times as long as inversion here. Against N both have the same error: only seconds tell them apart.");
