@@ -30,8 +30,8 @@ installed_nothing "a question"
 rm "$tree/solutions" "$tree/slides"
 mv "$tree/tests" "$tree/all_tests"
 expect 0 '^  render .*' --help
-[ "$(carlo | grep -cE '^  (grade|bench|starter|gradescope|fuzz|slides) |--solutions|--mine')" = 0 ] || failed "of all trees: $(carlo)"
-for verb in grade bench starter gradescope fuzz slides; do expect_error "there is no ./carlo $verb in this folder" "$verb" --help; done
+[ "$(carlo | grep -cE '^  (grade|bench|starter|gradescope|fuzz|site|slides) |--solutions|--mine')" = 0 ] || failed "of all trees: $(carlo)"
+for verb in grade bench starter gradescope fuzz site slides; do expect_error "there is no ./carlo $verb in this folder" "$verb" --help; done
 mv "$tree/labs/08_path_tracer" "$scratch/"
 expect_error "there is no ./carlo render in this folder" render
 ! carlo | grep -q 'glossy walls' || failed "a verb that is not there has a line"

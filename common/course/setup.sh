@@ -43,6 +43,7 @@ peers     libllvm19
 node      nodejs              node
 npm       npm                 npm
 chromium  chromium            chromium
+site      emscripten          emcc
 zip       zip                 zip
 '
 

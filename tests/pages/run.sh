@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# run.sh RENDERER FOLDER: renders the page that viewer.test.mjs drives and runs it. FOLDER keeps the
-# packages of package-lock.json from one run to the next. Exit code 77: skipped.
+# run.sh TEST FOLDER [RENDERER]: runs TEST, viewer.test.mjs or site.test.mjs; with RENDERER renders the page that
+# the first drives. FOLDER keeps the packages of package-lock.json from one run to the next. Exit code 77: skipped.
 set -euo pipefail
-renderer=$1 folder=$2
+test=$1 folder=$2 renderer=${3:-}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 skip() {
@@ -27,6 +27,7 @@ if ! cmp -s "$here/package-lock.json" package-lock.json || [ ! -d node_modules ]
     { rm -rf node_modules && skip "npm cannot fetch playwright-core"; }
 fi
 
+[ -n "$renderer" ] || exec node --test --test-reporter=spec "$test"
 "$renderer" "$here/halves.xml" -o reference -D 'light=0.5, 0.5, 0.5' --quiet
 "$renderer" "$here/halves.xml" -o halves --reference reference.exr --page "$folder/page.html" --quiet
-CARLO_PAGE=$folder/page.html exec node --test --test-reporter=spec viewer.test.mjs
+CARLO_PAGE=$folder/page.html exec node --test --test-reporter=spec "$test"

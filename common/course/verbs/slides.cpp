@@ -53,7 +53,18 @@ std::string text_of(const fs::path& file) {
   return fs::exists(file) ? read_file(file) : "";
 }
 
-/// Installs Marp into build/slides, in the versions of package-lock.json.
+/// Returns the programs that draw the decks' figures.
+Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes& wishes) {
+  Words command = tool;
+  std::istringstream names(output_of((command += {"programs", bin, wishes.mode}) += wishes.decks));
+  Words programs;
+  for (std::string name; names >> name;)
+    programs.push_back(name);
+  return programs;
+}
+
+}  // namespace
+
 void install_marp(const fs::path& root) {
   const fs::path folder = root / "build/slides", lock = root / "slides/package-lock.json",
                  installed = folder / "node_modules/.installed";
@@ -74,18 +85,6 @@ void install_marp(const fs::path& root) {
   }
   write_file(installed, wanted);
 }
-
-/// Returns the programs that draw the decks' figures.
-Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes& wishes) {
-  Words command = tool;
-  std::istringstream names(output_of((command += {"programs", bin, wishes.mode}) += wishes.decks));
-  Words programs;
-  for (std::string name; names >> name;)
-    programs.push_back(name);
-  return programs;
-}
-
-}  // namespace
 
 static int slides(Course& course, const Words& words) {
   const SlidesWishes wishes = slides_wishes(words);

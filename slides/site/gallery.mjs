@@ -1,0 +1,61 @@
+// The gallery of the scenes: image, noise map, error against time, rendered by the reference renderer.
+
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+
+import { escaped } from "../tool/pictures.mjs";
+import { plotSvg } from "../tool/plot.mjs";
+import { page } from "./pages.mjs";
+
+const samples = [4, 16, 64];
+
+/** The reports of a scene's renders, one for each number of samples; kept until the renderer changes. */
+function reports(root, renderer, scene, folder) {
+  return samples.map((spp) => {
+    const base = path.join(folder, `${scene}-160-${spp}`), report = `${base}.json`;
+    if (!fs.existsSync(report) || fs.statSync(report).mtimeMs < fs.statSync(renderer).mtimeMs) {
+      execFileSync(renderer, [`common/scenes/${scene}.xml`, "--size", "160x160", "--spp", spp, "--no-sums", "--quiet", "-o", base],
+                   { cwd: root, stdio: "pipe" });
+      fs.rmSync(`${base}.exr`);
+    }
+    return { ...JSON.parse(fs.readFileSync(report, "utf8")), base };
+  });
+}
+
+const three = (x) => String(Number(x.toPrecision(3)));
+
+function sceneHtml({ root, out, book }, renderer, scene, folder) {
+  const found = reports(root, renderer, scene, folder), last = found.at(-1);
+  fs.copyFileSync(`${last.base}.png`, path.join(out, `scenes/${scene}.png`));
+  fs.copyFileSync(`${last.base}.error.png`, path.join(out, `scenes/${scene}.error.png`));
+  const xml = fs.readFileSync(path.join(root, `common/scenes/${scene}.xml`), "utf8");
+  const teaches = /Teaches: ([\s\S]*?)-->/.exec(xml)?.[1].replace(/\s+/g, " ").trim() ?? "";
+  const points = found.filter((one) => one.relative_pixel_error > 0).map((one) => [one.seconds, one.relative_pixel_error]);
+  const [at] = points;
+  const plot = points.length < 2 ? "<p>No noise: every sample gives the exact value.</p>" : plotSvg(book.runs, {
+    kind: "loglog", narrow: true, xlabel: "seconds", ylabel: "relative error of a pixel", xunit: "seconds",
+    guides: [{ slope: -0.5, at, to: points.at(-1)[0], label: "-1/2" }] },
+    `Error against seconds, ${scene}`, [{ name: "", points }]);
+  const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="160" height="160">`;
+  return `<figure id="${scene}"><figcaption>${scene}<span>${escaped(teaches)}</span></figcaption>
+<div class="pair">${img(scene, `The scene ${scene}`)}${img(`${scene}.error`, `Map of the relative noise of ${scene}`)}</div>
+<p>${last.spp} samples a pixel in ${three(last.seconds)} s, ${three(last.paths / last.seconds / 1e6)} million paths a second; a pixel’s standard
+error, estimated from the render itself, is ${three(100 * last.relative_pixel_error)} % of the mean. Right: the noise of each pixel, relative, .1 % to 100 %.</p>${plot}</figure>`;
+}
+
+export function gallery(context, programs, { markdown }) {
+  const renderer = path.join(programs, "carlo_render"), folder = path.join(context.root, "build/site/scenes");
+  for (const one of [folder, path.join(context.out, "scenes")]) fs.mkdirSync(one, { recursive: true });
+  const scenes = fs.readdirSync(path.join(context.root, "common/scenes")).filter((name) => name.endsWith(".xml")).map((name) => name.slice(0, -4));
+  const figures = scenes.map((scene) => sceneHtml(context, renderer, scene, folder));
+  const readme = fs.readFileSync(path.join(context.root, "README.md"), "utf8");
+  const from = readme.indexOf("    ./carlo bench peers"), peers = readme.slice(from, readme.indexOf("    ./carlo test --hard", from));
+  context.write("gallery.html", page(context, {
+    name: "gallery.html",
+    title: "The scenes",
+    lead: "Rendered when this site was made, at 160 × 160 pixels, by <code>./carlo render</code>. Its Sobol’ points make errors fall faster than −1/2; the first tenths of a second also start it.",
+    body: `<div class="charts scenes">${figures.join("\n")}</div>
+<section><h2>Beside other renderers</h2><div class="text">${markdown.render(peers).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div></section>`,
+  }));
+}

@@ -1,0 +1,121 @@
+// The site's pages.
+
+import fs from "node:fs";
+import path from "node:path";
+
+import { functionsSvg, plotSvg } from "../tool/plot.mjs";
+import { escaped } from "../tool/pictures.mjs";
+
+/** Which experiments a lab's page has: those that its script defines, in its order. */
+const experimentsOf = (root, lab) =>
+  lab.live
+    ? [...fs.readFileSync(path.join(root, `slides/site/web/lab${lab.number}.js`), "utf8")
+        .matchAll(/^carlo\.experiment\("([a-z]+)"/gm)].map(([, name]) => name)
+    : [];
+
+function navigation(labs, here) {
+  const link = (page, text) => `<li><a href="${page}"${page === here ? ' aria-current="page"' : ""}>${text}</a></li>`;
+  return `<nav aria-label="Site"><ol>${link("index.html", "Carlo")}${labs
+    .map((lab) => link(lab.page, lab.number)).join("")}${link("gallery.html", "Scenes")}${link("instructors.html", "Instructors")}</ol></nav>`;
+}
+
+export function page({ labs }, { name, title, lead = "", body, scripts = [] }) {
+  return `<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>${escaped(title)}</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark"><link rel="icon" href="data:,">
+<link rel="stylesheet" href="site.css">
+</head><body>
+<a class="skip" href="#main">Skip to the text</a>
+<header>${navigation(labs, name)}
+<h1>${escaped(title)}</h1>${lead ? `\n<p class="lead">${lead}</p>` : ""}</header>
+<main id="main">
+${body}
+</main>
+<footer>Carlo: Monte Carlo rendering labs in C++20. What the pages compute is the suite’s own library and solutions,
+compiled to WebAssembly. Formulas are set by KaTeX (MIT; its fonts: SIL Open Font License).</footer>
+${scripts.map((file) => `<script src="${file}"></script>`).join("\n")}
+</body></html>
+`;
+}
+
+const section = (id, title, body) => `<section id="${id}"><h2>${title}</h2>\n${body}\n</section>`;
+
+function figuresOf({ book }, lab) {
+  const kinds = ["loglog", "lines", "points", "bars", "functions"];
+  const alts = new Map(book.decks.filter((deck) => deck.number === lab.digits).flatMap((deck) =>
+    deck.slides.flatMap((slide) => slide.lines.flatMap((line) => {
+      const found = /^!\[([^\]]*)\]\(figure:([^)]+)\)/.exec(line);
+      return found ? [[found[2], { alt: found[1], title: slide.title }]] : [];
+    }))));
+  return [...alts].flatMap(([id, { alt, title }]) => {
+    const figure = { ...book.definitions.figures.get(id), narrow: true };
+    if (!kinds.includes(figure.kind)) return [];
+    const svg = figure.kind === "functions" ? functionsSvg(book.runs, figure, alt)
+      : plotSvg(book.runs, figure, alt, book.data.get(figure.number).figures[id].series);
+    return [`<figure><figcaption>${escaped(title)}<span>${escaped(alt)}</span></figcaption>${svg}</figure>`];
+  });
+}
+
+function decksOf({ book, decks }, lab) {
+  const items = book.decks.filter((deck) => deck.number === lab.digits).map((deck) => {
+    const file = `${deck.name}.html`, words = `${escaped(deck.front.title)}, ${deck.slides.length} slides, ${deck.front.minutes} minutes`;
+    return `<li>${decks.has(file) ? `<a href="slides/${file}">${words}</a>` : words}</li>`;
+  });
+  return items.length ? `<p>The lecture’s ${items.length > 1 ? "decks" : "deck"} for this lab:</p><ul>${items.join("")}</ul>` : "";
+}
+
+/** `text`: the handout. */
+export function labPage(context, lab, text) {
+  const live = experimentsOf(context.root, lab);
+  const formulas = [...context.formulas.values()].filter((one) => one.number === lab.digits);
+  const figures = figuresOf(context, lab);
+  const parts = [
+    ["try", "Try it", live.length && `<p>Predict, then run. Everything below is computed here, in your browser, by this lab’s solution;
+the page’s address keeps controls and seed, so that a link shows the same numbers.</p>
+<noscript><p class="note">The experiments need JavaScript.</p></noscript>
+${live.map((name) => `<article class="live" id="${name}"></article>`).join("\n")}`],
+    ["handout", "The handout", `<div class="text">${text.html}</div>`],
+    ["formulas", "The lecture’s formulas", formulas.length && formulas.map((one) =>
+      `<div class="formula" tabindex="0" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
+    ["plots", "Measured by the lab’s experiments", figures.length && `<p>From runs of <code>./carlo lab ${lab.number} --solutions</code>,
+as the lecture shows them.</p><div class="charts plots">${figures.join("\n")}</div>${decksOf(context, lab)}`],
+  ].filter(([, , body]) => body);
+  return page(context, {
+    name: lab.page,
+    title: text.title,
+    lead: `${escaped(lab.title)}. ${parts.map(([id, title]) => `<a href="#${id}">${title}</a>`).join(" · ")}`,
+    body: parts.map(([id, title, body]) => section(id, title, body)).join("\n"),
+    scripts: lab.live ? ["carlo.js", `lab${lab.number}.js`] : [],
+  });
+}
+
+export const textPage = (context, text) =>
+  page(context, { name: "instructors.html", title: text.title, body: `<div class="text">${text.html}</div>` });
+
+/** The front page: its words are those of README.md. */
+export function frontPage(context, readme, { markdown }) {
+  const part = (from, to) => readme.slice(readme.indexOf(from), readme.indexOf(to, readme.indexOf(from)));
+  const lead = part("Carlo is a suite", "\n\n"), picture = part("The default scene, rendered", "\n\n");
+  const commands = [...part("## Start", "## Students").matchAll(/^ {4}(\.\/carlo .*)$/gm)].map(([, line]) => line);
+  const first = /^ {4}(\.\/carlo lab 1 .*)$/m.exec(readme)[1];
+  const alt = /!\[([^\]]*)\]\(common\/scenes\/cornell_phong.jpg\)/.exec(readme)[1];
+  const cards = context.labs.map((lab) => `<li><a href="${lab.page}">${lab.picture
+    ? `<img src="lab${lab.digits}-${lab.picture}" alt="${escaped(lab.alt)}">` : ""}<strong>Lab ${lab.number}</strong>
+${escaped(lab.title)}</a></li>`).join("\n");
+  return page(context, {
+    name: "index.html",
+    title: "Carlo",
+    lead: markdown.renderInline(lead),
+    body: `<div class="hero"><figure><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
+<figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
+<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository; each installs what is missing.</p>
+<pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
+<p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
+dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
+<section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
+<ul class="cards">${cards}</ul></section>
+<section><h2>How fast, how accurate</h2><div class="text">${markdown.render(part("    ./carlo bench render\n", "    ./carlo test --hard")).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div>
+<p><a href="gallery.html">The scenes</a>, each with its noise and its error against time.</p></section>`,
+  });
+}
