@@ -41,7 +41,7 @@ Record make_record(Vec3 p, Vec3 n, int strata, const LookAround& look, Rng& rng)
     }
   }
   const double count = static_cast<double>(strata) * strata;
-  // The cosine cancels that of the density.
+  // The cosine of the rendering equation and that in the density cancel.
   return {p, n, carlo::pi / count * radiance, count / inverse_distances};
 }
 
