@@ -59,5 +59,9 @@ wait
 [ ! -e "$build/.wanted" ] || fail "nobody waits, and .wanted stays"
 "$in_turn" "$build" bash -c '"$1" "$2" --behind touch "$2/behind/beside"' - "$in_turn" "$build"
 [ ! -e "$build/behind/beside" ] || fail "it began beside another"
+# What somebody left who was killed while waiting ends nothing later.
+touch "$build/.wanted"
+"$in_turn" "$build" true
+[ ! -e "$build/.wanted" ] || fail "a wish that nobody has any more stays"
 "$in_turn" "$build" --behind touch "$build/behind/alone"
 [ -e "$build/behind/alone" ] || fail "it does not begin alone"

@@ -42,8 +42,9 @@ if command -v flock >/dev/null; then
     read -r holder <"$build/.turn" || true
     [ "$holder" = behind ] || { printf 'carlo: waiting for %s, which builds in the same folder ...\n' "${holder:-another ./carlo}" >&3; } 2>/dev/null || true
     flock 9
-    rm -f "$build/.wanted"
   fi
+  # Also one that was left by a command killed while it waited.
+  rm -f "$build/.wanted"
   printf '%s\n' "${CARLO_TURN_OF:-another program}" >"$build/.turn"
 fi
 "$@" 3>&-

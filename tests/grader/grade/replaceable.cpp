@@ -104,21 +104,26 @@ void ReplaceableCode::link(const std::vector<std::string>& functions, const fs::
   Compilation compilation(tools_, sandbox_, folders_.theirs, link_flags);
   const auto replaced = [&](const std::string& symbol) { return is_one_of(symbol, functions); };
   const auto others = [&](const std::string& symbol) { return !replaced(symbol); };
-  std::vector<fs::path> objects;
+  std::vector<fs::path> objects, copies;
   for (const auto& [name, object] : objects_.value()) {
     objects.push_back(copied(object, folders_.ours, "student_"));
     const Symbols symbols = compilation.symbols_of(object);
     compilation.change_symbols(objects.back(), "--weaken-symbols", lines_of(symbols, replaced));
   }
   for (const auto& [file, text] : tools_.solutions) {
-    const fs::path object = solution_object(file, text);
-    const Symbols symbols = compilation.symbols_of(object);
+    const fs::path copy = copied(solution_object(file, text), folders_.ours, "solution_");
+    copies.push_back(copy);
+    const Symbols symbols = compilation.symbols_of(copy);
     if (lines_of(symbols, replaced).empty()) continue;
-    objects.push_back(copied(object, folders_.ours, "solution_"));
-    compilation.change_symbols(objects.back(), "--localize-symbols", lines_of(symbols, others));
+    objects.push_back(copy);
+    compilation.change_symbols(copy, "--localize-symbols", lines_of(symbols, others));
   }
   std::string said;
-  if (!compilation.link(objects, worker, said))
+  const bool linked = compilation.link(objects, worker, said);
+  // The worker could find them beside itself.
+  for (const fs::path& copy : copies)
+    fs::remove(copy);
+  if (!linked)
     throw Error("the second worker cannot be linked: {}", said.substr(0, said.find('\n')));
 }
 
