@@ -100,7 +100,8 @@ CleanTree::CleanTree(const fs::path& tree, const fs::path& build,
     read_solutions(tree / "solutions" / lab.folder, lab, tools);
     tools.solution_objects = path_ / "solutions" / lab.folder;
     fs::create_directories(tools.solution_objects);
-    // Its path can be guessed: no program of a submission may read it, whatever the sandbox's level.
+    // Its path can be guessed: no program of a submission may read it, whatever the sandbox's
+    // level.
     fs::permissions(tools.solution_objects, fs::perms::owner_all);
   }
   digest_ = digest_of_files();
