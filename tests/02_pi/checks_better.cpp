@@ -41,6 +41,9 @@ const Diagnosis not_squared{"samples-not-squared",
 const Diagnosis rounded_down{"samples-rounded-down",
                              "rounded down (or to the nearest), the interval is a little wider "
                              "than asked."};
+const Diagnosis one_more{"samples-one-more",
+                         "where the number of samples comes out whole, one too many is taken: "
+                         "round up only what is not whole."};
 const Diagnosis z_missing{"z-missing", "the z standard errors are taken for one."};
 const Diagnosis full_width{"full-width-for-half",
                            "half_width is taken for the whole width of the interval."};
@@ -117,6 +120,8 @@ void judge_samples(const PlanQuestion& plan, double measured, double tolerance) 
                 {std::round(root * root), rounded_down},
                 {std::ceil(4 * root * root), full_width},
                 {std::ceil(without_z * without_z), z_missing}};
+  if (tolerance == 0 && root > 0 && root * root == expected)
+    suspects.push_back({expected + 1, one_more});
   constexpr double most = 2147483647;
   if (expected > most) {
     for (const double cut : {1.0, most, -most - 1, 0.0, std::fmod(expected, 2 * (most + 1))})
