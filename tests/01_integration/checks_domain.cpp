@@ -27,6 +27,9 @@ const Diagnosis outside_domain{"evaluated-outside-domain",
 const Diagnosis error_without_volume{"standard-error-without-volume",
                                      "the standard error is that of the average over the box: it "
                                      "scales with the volume as the value does."};
+const Diagnosis error_by_root{"standard-error-by-root-of-volume",
+                              "the standard error is multiplied by the root of the volume; it "
+                              "scales like the value, with the volume itself."};
 const Diagnosis error_of_accepted{"zeros-left-out-of-the-error",
                                   "the standard error looks only at the points inside; whether a "
                                   "point falls inside is random as well."};
@@ -183,6 +186,7 @@ TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0"
     const long double spread = sums.of_squares - sums.sum * sums.sum / 4096;
     const double error = of.volume() * std::sqrt(static_cast<double>(spread / 4095 / 4096));
     Suspects errors{{error / of.volume(), error_without_volume},
+                    {error / std::sqrt(of.volume()), error_by_root},
                     {error * std::sqrt(4095.0 / 4096), error_by_n},
                     {error * 64, error_of_one}};
     add_sums_of_sides(errors, error / of.volume(), of.sum_of_box_sides(), of.d);
@@ -224,6 +228,7 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
     const double sd = right * std::sqrt(kurtosis / n + 2 / (n - 1));
     judge(mean_is(fmt::format("the squared standard error, n = {:g}", n), squares, {right, sd},
                   {{right / (of.volume() * of.volume()), error_without_volume},
+                   {right / of.volume(), error_by_root},
                    {right * (n - 1) / n, error_by_n},
                    {variance, error_of_one},
                    {0, all_inside ? by_accepted : error_of_accepted}}));

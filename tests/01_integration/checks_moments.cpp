@@ -35,6 +35,9 @@ const Diagnosis divided_by_all{"standard-error-divided-by-n",
 const Diagnosis between_missing{"merge-without-between-means",
                                 "merging adds the spread within each part; the difference of "
                                 "their means adds to the spread as well."};
+const Diagnosis from_moved_mean{"merge-from-the-moved-mean",
+                                "the distance between the two means is taken after the mean has "
+                                "moved; merging needs the distance before."};
 const Diagnosis mean_of_means{"mean-of-the-means",
                               "the merged mean is half-way between the two means, as if both "
                               "parts held equally many numbers."};
@@ -112,9 +115,26 @@ double half_way(const std::vector<std::vector<double>>& parts, bool from_nothing
   return mean;
 }
 
-/// The effect of mistakes on the mean of merged parts.
+/// The variance of parts merged one after the other if the distance of the two means is taken only
+/// after the mean has moved.
+double variance_from_moved_mean(const std::vector<std::vector<double>>& parts) {
+  double n = 0, mean = 0, m2 = 0;
+  for (const std::vector<double>& part : parts) {
+    if (part.empty()) continue;
+    const auto count = static_cast<double>(part.size());
+    const double part_mean = mean_of(part);
+    for (const double x : part)
+      m2 += (x - part_mean) * (x - part_mean);
+    mean += (part_mean - mean) * count / (n + count);
+    m2 += (part_mean - mean) * (part_mean - mean) * n * count / (n + count);
+    n += count;
+  }
+  return m2 / (n - 1);
+}
+
+/// The effect of mistakes on the mean and the variance of merged parts.
 Slips slips_of_merging(const std::vector<std::vector<double>>& parts) {
-  Slips slips;
+  Slips slips{{}, {{variance_from_moved_mean(parts), from_moved_mean}}};
   for (const bool from_nothing : {false, true}) {
     for (const bool with_nothing : {false, true})
       slips.means.push_back({half_way(parts, from_nothing, with_nothing), mean_of_means});

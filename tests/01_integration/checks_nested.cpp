@@ -21,6 +21,9 @@ namespace {
 const Diagnosis one_dimension{"cell-volume-of-one-dimension",
                               "the sum is multiplied by the width of one dimension and not by "
                               "those of all."};
+const Diagnosis first_side{"first-side-for-all",
+                           "the cells have the first dimension's width in every dimension; each "
+                           "dimension has its own."};
 const Diagnosis no_volume{"missing-box-volume",
                           "the mean over the cells is not yet the integral: the box's volume is "
                           "missing."};
@@ -84,6 +87,18 @@ double corner_mean(BoxIntegrand integrand, int d, double n, double sign) {
   return integrand == BoxIntegrand::product ? product : squares;
 }
 
+/// The integral if the cells are as wide in every dimension as in the first.
+double with_first_side(BoxIntegrand integrand, int d, double n) {
+  const double width = side(0), h = width / n;
+  double product = 1, squares = 0;
+  for (int i = 0; i < d; ++i) {
+    const double from = lower(static_cast<std::size_t>(i));
+    product *= from + width / 2;
+    squares += (i + 1) * (power_mean(2, from, from + width) - h * h / 12);
+  }
+  return std::pow(width, d) * (integrand == BoxIntegrand::product ? product : squares);
+}
+
 /// The results of mistakes in place of `right`, where f is evaluated at n^d points.
 Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
   const double cells = std::pow(n, d);
@@ -96,6 +111,7 @@ Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
     suspects.push_back({right * cells, box_for_cell});
   }
   if (n > 1 && d > 1) suspects.push_back({right * cells / n, by_n_only});
+  if (d > 1) suspects.push_back({with_first_side(integrand, d, n), first_side});
   double sides = 0;
   for (int i = 0; i < d; ++i)
     sides += side(i);

@@ -41,6 +41,9 @@ const Diagnosis not_squared{"samples-not-squared",
 const Diagnosis rounded_down{"samples-rounded-down",
                              "the number is rounded down (or to nearest), so the interval is "
                              "slightly wider than required."};
+const Diagnosis one_more{"samples-one-more",
+                         "where the number of samples is whole already, one too many is taken: "
+                         "round up only what is not whole."};
 const Diagnosis z_missing{"z-missing",
                           "the half width is treated as one standard error, not as "
                           "z of them."};
@@ -119,6 +122,8 @@ void judge_samples(const PlanQuestion& plan, double measured, double tolerance) 
                 {std::round(root * root), rounded_down},
                 {std::ceil(4 * root * root), full_width},
                 {std::ceil(without_z * without_z), z_missing}};
+  if (tolerance == 0 && root > 0 && root * root == expected)
+    suspects.push_back({expected + 1, one_more});
   constexpr double most = 2147483647;
   if (expected > most) {
     for (const double cut : {1.0, most, -most - 1, 0.0, std::fmod(expected, 2 * (most + 1))})

@@ -35,6 +35,9 @@ const Diagnosis whole_numbers{"division-of-whole-numbers",
 const Diagnosis error_not_scaled{"standard-error-not-scaled",
                                  "the standard error is that of the share of hits; π is 4 times "
                                  "the share, and so is its error."};
+const Diagnosis four_below_root{"standard-error-scaled-below-the-root",
+                                "the factor 4 is inside the root: it belongs outside, or is 16 "
+                                "inside, since a variance scales with the square."};
 const Diagnosis error_of_one_dart{
     "standard-error-of-one-dart",
     "the standard deviation of one dart is given; that of the mean is "
@@ -57,6 +60,9 @@ const Diagnosis swapped{"limits-swapped", "the lower and the upper limit are swa
 const Diagnosis centre_moved_twice{
     "centre-moved-twice",
     "the centre is moved by z^2/N where the quadratic equation gives z^2/(2N)."};
+const Diagnosis z_not_squared{"z-not-squared",
+                              "the centre is moved by z/(2N) where the quadratic equation gives "
+                              "z^2/(2N)."};
 const Diagnosis root_short{"root-without-its-second-term",
                            "z^2/(4 N^2) is missing below the root."};
 
@@ -86,6 +92,7 @@ void judge_estimate(Case darts) {
   if (error > 0) {
     const bool value_too = std::abs(rows.at(0, 0) - share) <= 1e-12;
     suspects = {{error / 4, value_too ? not_scaled : error_not_scaled},
+                {error / 2, four_below_root},
                 {4 * std::sqrt(variance), error_of_one_dart},
                 {4 * std::sqrt(variance * darts.thrown / n1), error_of_one_dart},
                 {error * error, variance_for_error},
@@ -117,13 +124,14 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
   const auto around = [&](double centre, double half) {
     return Interval{4 * (centre - half) / (1 + shift), 4 * (centre + half) / (1 + shift)};
   };
-  const std::array<std::pair<Interval, Diagnosis>, 7> mistakes = {
+  const std::array<std::pair<Interval, Diagnosis>, 8> mistakes = {
       {{normal, normal_interval},
        {{std::max(0.0, normal.lower), std::min(4.0, normal.upper)}, normal_interval},
        {{share.lower, share.upper}, interval_not_scaled},
        {{undivided * share.lower, undivided * share.upper}, not_shrunk},
        {{4 * share.upper, 4 * share.lower}, swapped},
        {around(hits + shift, right_root), centre_moved_twice},
+       {around(hits + z / darts.thrown / 2, right_root), z_not_squared},
        {around(hits + shift / 2, root), root_short}}};
   const auto far = [](const Interval& a, const Interval& b, double by) {
     return std::abs(a.lower - b.lower) > by || std::abs(a.upper - b.upper) > by;
@@ -145,8 +153,8 @@ void judge_limits(Interval measured, Case darts, double z) {
   for (Verdict* limit : {&lower, &upper}) {
     if (!limit->passed) {
       limit->diagnoses = interval_diagnoses(measured, darts, z);
-      limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk,
-                           swapped,         centre_moved_twice,  root_short};
+      limit->looked_for = {normal_interval,    interval_not_scaled, not_shrunk, swapped,
+                           centre_moved_twice, z_not_squared,       root_short};
     }
     judge(*limit);
   }

@@ -137,7 +137,8 @@ void judge_estimates(const Setup& of) {
                 {e.plain_squared_error, e.plain_squared_error_sd},
                 {{e.plain_squared_error - e.squared_error / n, plain_too_small},
                  {(e.plain_squared_error - e.squared_error / n) * n / (n - 1), plain_too_small},
-                 {e.within / n, plain_within}}));
+                 {e.within / n, plain_within},
+                 {(e.within * (m - 1) / m + e.squared_error) / n, plain_within}}));
 }
 
 /// The results recomputed from the points at which f was evaluated.
@@ -220,7 +221,8 @@ bool judge_errors(const Answer& rows, const Recomputed& right, const Setup& of, 
       equals("the plain standard error" + which, rows.values[2], plain, precision * plain,
              {{std::sqrt(uncorrected), plain_too_small},
               {std::sqrt(uncorrected * n / (n - 1)), plain_too_small},
-              {std::sqrt(right.within / n), plain_within}});
+              {std::sqrt(right.within / n), plain_within},
+              {std::sqrt((right.within + right.squared_error) / n), plain_within}});
   for (Verdict* verdict : {&of_value, &of_plain}) {
     if (!verdict->passed && right_at_zero) verdict->diagnoses.push_back(cancellation);
     judge(*verdict);

@@ -32,6 +32,10 @@ const Diagnosis columns_only{"columns-drawn-uniformly",
 const Diagnosis x_for_y{"x-and-y-swapped",
                         "x and y are exchanged: x runs along the columns, y along the rows."};
 
+const Diagnosis one_width{"density-over-one-width",
+                          "the probability of the cell is divided by its width or its height; its "
+                          "area is their product."};
+
 /// The inverse of Lab 5.6, exactly as in its docstring.
 struct GridInverse {
   explicit GridInverse(const Grid& grid_) : grid(grid_) {
@@ -208,12 +212,15 @@ TEST_CASE("Lab 5.6: the density is that of each cell, and 0 outside the square",
                       {.rows = expected.size() + 4, .of = name_of(kind)});
     const std::vector<double> outside(rows.values.end() - 4, rows.values.end());
     rows.values.resize(expected.size());
-    const double cells = number(expected.size());
-    const bool unscaled =
-        std::equal(expected.begin(), expected.end(), rows.values.begin(),
-                   [=](double a, double b) { return std::abs(a / cells - b) <= 1e-12; });
+    const auto divided_by = [&](double count) {
+      return std::equal(expected.begin(), expected.end(), rows.values.begin(),
+                        [=](double a, double b) { return std::abs(a / count - b) <= 1e-12; });
+    };
     std::vector<Diagnosis> diagnoses;
-    if (unscaled) diagnoses.push_back(no_width);
+    if (divided_by(number(expected.size()))) diagnoses.push_back(no_width);
+    if (divided_by(number(exact.grid.width)) || divided_by(number(exact.grid.height))) {
+      diagnoses.push_back(one_width);
+    }
     if (are_near(rows.values, exchanged)) diagnoses.push_back(x_for_y);
     judge(all_equal("the density in each cell", rows.values, expected, 1e-11, diagnoses));
     judge(

@@ -30,6 +30,9 @@ const Diagnosis overflow{"overflow",
 
 using Weight = std::function<double(const Pair&)>;
 
+/// Of a weight from the products' logarithms, which reach 709.
+constexpr double rounding = 1e-11;
+
 /// The right weight, from the ratio of the products.
 double right_weight(const Pair& pair, int e) {
   if (!(pair.samples > 0 && pair.pdf > 0)) return 0;
@@ -73,7 +76,7 @@ void judge_weights(const std::string& what, const std::vector<double>& measured,
   std::size_t first_wrong = all.size();
   bool zero_wrong = false, wild_wrong = false, tame_wrong = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool wrong = !agrees(measured[i], right_weight(all[i], e), 1e-13, 1e-30);
+    const bool wrong = !agrees(measured[i], right_weight(all[i], e), rounding, 1e-30);
     if (wrong && first_wrong == all.size()) first_wrong = i;
     const bool none = all[i].samples * all[i].pdf == 0;
     zero_wrong = zero_wrong || (wrong && none);

@@ -3,7 +3,9 @@
 #include "07_hemisphere/skies.h"
 #include "07_hemisphere/subject.h"
 
+#include <algorithm>
 #include <functional>
+#include <set>
 #include <vector>
 
 // The law of Lab 7.8's light, and the results of typical mistakes.
@@ -63,6 +65,21 @@ inline std::vector<double> shares_by_power(const SkyImage& image) {
   return shares;
 }
 
+/// The same, proportional to luminance times the sine at the upper edge of the texel's row.
+inline std::vector<double> shares_by_edge(const SkyImage& image) {
+  std::vector<double> shares;
+  double sum = 0;
+  for (std::size_t k = 0; k < image.luminance.size(); ++k) {
+    const auto row = static_cast<double>(k / image.width);
+    const double sine = std::sin(pi * row / static_cast<double>(image.height));
+    shares.push_back(image.luminance[k] * sine);
+    sum += shares.back();
+  }
+  for (double& share : shares)
+    share /= sum;
+  return shares;
+}
+
 /// The same, proportional to luminance alone.
 inline std::vector<double> shares_by_luminance(const SkyImage& image) {
   double sum = 0;
@@ -78,6 +95,10 @@ inline const Diagnosis no_solid_angle{
     "solid-angle-forgotten",
     "texels are weighed by their luminance alone: those next to a pole are as large in the image as "
     "those at the horizon, but not in the sky."};
+inline const Diagnosis sine_of_edge{
+    "sine-at-the-rows-edge",
+    "texels are weighted by the sine at their row's upper edge: at the pole that is 0, though the "
+    "first row has a solid angle. The solid angle is the difference of the cosines at both edges."};
 inline const Diagnosis per_area{
     "density-per-image-area",
     "this is the density per area of the image: divide it by the solid angle of that area."};
@@ -174,6 +195,7 @@ inline std::vector<OtherShares> other_shares(const SkyImage& image) {
     turned_back[j * image.width + image.width - 1 - i] = right[k];
   }
   return {{shares_by_luminance(image), no_solid_angle},
+          {shares_by_edge(image), sine_of_edge},
           {flipped, upside_down},
           {turned_back, mirrored}};
 }
@@ -185,13 +207,15 @@ struct OtherImagePdf {
 };
 
 inline std::vector<OtherImagePdf> other_image_pdfs(const SkyImage& image) {
-  const std::vector<double> power = shares_by_power(image), light = shares_by_luminance(image);
+  const std::vector<double> power = shares_by_power(image), light = shares_by_luminance(image),
+                            edge = shares_by_edge(image);
   const auto texels = static_cast<double>(image.luminance.size());
   const auto width = static_cast<double>(image.width);
   const auto sine = [](Double3 w) { return std::hypot(w.x, w.z); };
   const auto angle = [=](std::size_t k) { return image.solid_angle(k / image.width); };
   return {
       {[=](std::size_t k, Double3) { return light[k] / angle(k); }, no_solid_angle},
+      {[=](std::size_t k, Double3) { return edge[k] / angle(k); }, sine_of_edge},
       {[=](std::size_t k, Double3 w) { return light[k] * texels / (2 * pi * pi * sine(w)); },
        sine_of_direction},
       {[=](std::size_t k, Double3 w) { return power[k] * texels / (2 * pi * pi * sine(w)); },
@@ -265,6 +289,22 @@ inline double chi_square(const std::vector<double>& counts, const std::vector<do
       statistic = HUGE_VAL;
   }
   return statistic;
+}
+
+/// True if all values are about the same, counting 0 and 1 as one place.
+inline bool all_alike(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low < 1e-3 || (*low < 1e-3 && *high > 1 - 1e-3 &&
+                                 std::all_of(values.begin(), values.end(),
+                                             [](double v) { return v < 1e-3 || v > 1 - 1e-3; }));
+}
+
+/// True if fewer than one in twenty values differs from the others, to seven digits.
+inline bool few_values(const std::vector<double>& values) {
+  std::set<float> seen;
+  for (const double value : values)
+    seen.insert(static_cast<float>(value));
+  return 20 * seen.size() < values.size();
 }
 
 }  // namespace lab07_tests

@@ -70,12 +70,15 @@ PROBE("Lab 7.8 directions", "x", "y", "z", "pdf of the sample", "pdf of wi") {
 }
 
 PROBE("Lab 7.8 rare texels", "x", "y", "z", "pdf of the sample", "pdf of wi",
-      "(for u in the middle of what belongs to a texel)") {
+      "(for u in the middle of what belongs to a texel; then with x and y exchanged)") {
   const SkyImage image = image_asked(params);
   const lab07::ImageLight light = light_of(image);
   RowWriter rows;
-  for (const TexelNumber& number : numbers_of_texels(image))
+  const std::vector<TexelNumber> numbers = numbers_of_texels(image);
+  for (const TexelNumber& number : numbers)
     add_drawn(rows, light, number.u);
+  for (const TexelNumber& number : numbers)
+    add_drawn(rows, light, {number.u.y, number.u.x});
   return rows.take();
 }
 

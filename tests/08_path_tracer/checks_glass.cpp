@@ -22,6 +22,12 @@ const Diagnosis both_polarisations{
     "polarisations-not-averaged",
     "unpolarised light is half of each polarisation: the mean of both "
     "squares, not their sum."};
+const Diagnosis mean_squared{"polarisations-averaged-before-the-square",
+                             "the mean of both amplitudes is squared: power is an amplitude's "
+                             "square, so square each, then take the mean."};
+const Diagnosis not_across{"refracted-to-wos-side",
+                           "the refracted direction's tangential part points to wo's side: light "
+                           "goes on past the normal, so that part changes its sign."};
 const Diagnosis no_total{"total-reflection-missing",
                          "where eta sin(theta) reaches 1 nothing is refracted."};
 const Diagnosis no_radiance_factor{"radiance-not-scaled",
@@ -56,6 +62,14 @@ double s_only(double cos_i, double eta) {
 Suspects fresnel_suspects(double cos_i, double eta) {
   const double exact = fresnel_exact(cos_i, eta), s = s_only(cos_i, eta);
   Suspects suspects{{fresnel_exact(cos_i, 1 / eta), eta_inverted}, {2 * exact, both_polarisations}};
+  // The two amplitudes are of opposite sign, or not, by the convention of the formulas.
+  const double cos_t = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cos_i * cos_i)));
+  const double along = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+  const double across = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+  if (exact < 1 && exact > 0) {
+    for (const double sum : {across + along, across - along})
+      suspects.push_back({sum * sum / 4, mean_squared});
+  }
   // At normal incidence the two polarisations are the same.
   if (cos_i < 0.98 && exact < 1) {
     suspects.push_back({s, one_polarisation});
@@ -135,9 +149,12 @@ TEST_CASE("Lab 8.7: refraction by Snell's law", "[lab08][ex7]") {
       if (error <= 1e-4) continue;
       const double other = sine / eta;
       const bool inverted = std::abs(wt.x + other) < 1e-3;
+      const bool same_side = glm::length(wt - Double3(beyond, 0, exact.z)) <= 1e-4;
       judge(holds(what, false, fmt::format("goes to ({:.4g}, {:.4g}, {:.4g})", wt.x, wt.y, wt.z),
                   fmt::format("({:.4g}, 0, {:.4g})", exact.x, exact.z),
-                  inverted ? std::vector{eta_inverted} : std::vector<Diagnosis>{}));
+                  inverted    ? std::vector{eta_inverted}
+                  : same_side ? std::vector{not_across}
+                              : std::vector<Diagnosis>{}));
       return;
     }
   }

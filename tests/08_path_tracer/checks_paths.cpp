@@ -29,6 +29,10 @@ const Diagnosis sampled_inverted{"multiplied-by-the-density",
 const Diagnosis both_whole{"techniques-not-weighted",
                            "both techniques count all of the direct light: their weights have to "
                            "add up to 1."};
+const Diagnosis others_weight{
+    "weight-of-the-other-technique",
+    "a technique is weighted by the other's share: a sample's own density stands in the "
+    "numerator."};
 const Diagnosis kept_across{
     "vertex-kept-across-mirror",
     "after a mirror or glass emission counts in full: no light was sampled there. Discard the "
@@ -111,9 +115,15 @@ TEST_CASE("Lab 8.8: closed forms, at every length of path", "[lab08][ex8]") {
     const double red = depth == 0 ? 2 : 2 * (1 - std::pow(0.5, depth));
     const double next = depth == 0 ? 2 : 2 * (1 - std::pow(0.5, depth + 1));
     const std::string name = depth == 0 ? "of any length" : fmt::format("of {:g} segments", depth);
-    judge_paths(mean_is(
-        "radiance in a furnace, paths " + name, column(rows, 0), {red, depth == 1 ? 1e-3 : 1.5},
-        {{next, depth_slips}, {1 + 2 * (red - 1), both_whole}, {2 * red, both_whole}}));
+    // All around, a light's point has the density cos/pi and a direction half of that: shares .8
+    // and .2.
+    Suspects suspects{{next, depth_slips}, {1 + 2 * (red - 1), both_whole}, {2 * red, both_whole}};
+    if (depth != 1) {
+      suspects.push_back({1 + 0.4 * (red - 1), others_weight});
+      suspects.push_back({1 + 1.6 * (red - 1), others_weight});
+    }
+    judge_paths(mean_is("radiance in a furnace, paths " + name, column(rows, 0),
+                        {red, depth == 1 ? 1e-3 : 1.5}, suspects));
     const std::vector<double> twice = column(rows, 3), film = column(rows, 4);
     const auto zero = [](const std::vector<double>& v) {
       return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });

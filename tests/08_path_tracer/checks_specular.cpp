@@ -32,8 +32,9 @@ bool is_black(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
 }
 
-std::vector<double> through_glass() {
-  return column(trace({{"place", behind_glass}}), 0);
+/// With the glass's own emission, of which there is none, or without.
+std::vector<double> through_glass(double emission = 1) {
+  return column(trace({{"place", behind_glass}, {"emission", emission}}), 0);
 }
 
 /// The causes of missing emission: the wall behind a mirror or glass is black apart from its
@@ -80,6 +81,11 @@ TEST_CASE("Lab 8.7: emission counts behind mirrors and glass", "[lab08][ex7]") {
   judge(all_equal("a glowing wall through a glass ball", seen,
                   std::vector<double>(seen.size(), 1.0), 1e-3,
                   is_black(seen) ? of_black(false) : std::vector<Diagnosis>{}));
+  const std::vector<double> unasked = through_glass(0);
+  judge(all_equal("a glowing wall through a glass ball, without the glass's emission", unasked,
+                  std::vector<double>(unasked.size(), 1.0), 1e-3,
+                  is_black(unasked) && !is_black(seen) ? std::vector{emission_lost}
+                                                       : std::vector<Diagnosis>{}));
   // The sd is a bound: three halves of a right solution's (no closed form).
   judge(mean_is(
       "radiance in a furnace around a glass ball",
