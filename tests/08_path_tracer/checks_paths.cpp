@@ -29,6 +29,9 @@ const Diagnosis sampled_inverted{"multiplied-by-the-density",
 const Diagnosis both_whole{"techniques-not-weighted",
                            "both techniques count all of the direct light: their weights have to "
                            "add up to 1."};
+const Diagnosis no_throughput{
+    "throughput-missing-in-direct-light",
+    "light from a light's point is not multiplied by the throughput of the path that found it."};
 const Diagnosis others_weight{
     "weight-of-the-other-technique",
     "a technique is weighted by the other's share: a sample's own density stands in the "
@@ -129,6 +132,11 @@ TEST_CASE("Lab 8.8: closed forms, at every length of path", "[lab08][ex8]") {
       return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
     };
     if (depth == 0) {
+      // Roulette undoes what a bounce does to the throughput in red, not in green.
+      const double green = 4.0 / 3;
+      judge_paths(mean_is("green radiance in a furnace, paths " + name, column(rows, 1),
+                          {green, 1.5},
+                          {{1 + 0.4 * (red - 1) + 0.2 * (green - 1), no_throughput}}));
       judge(is_so("random numbers of a path", zero(twice) && zero(film),
                   zero(twice) ? "some are the film's" : "some are read twice",
                   "each read once at most", {read_twice}));

@@ -186,7 +186,7 @@ TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it",
   CHECK(found.named == 1);
   CHECK(found.alone == 0);
   CHECK(found.first_missed == "seed 1: failed, first, second, third");
-  CHECK(std::abs(found.margin - (std::log10(1.5625e-8) + 3)) <= 1e-3);
+  CHECK(std::abs(found.margin - (std::log10(1.25e-8) + 3)) <= 1e-3);
   mistake.subject.diagnosis = "third";
   CHECK(mistake_finding(mistake).named == 0);
   only(records[0]).diagnoses = diagnoses_of({"third"});

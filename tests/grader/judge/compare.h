@@ -12,10 +12,10 @@ namespace carlo::grader {
 // Comparisons turn values into verdicts. NaN anywhere is a fail.
 
 /// The probability that a lab's statistical comparisons together wrongly fail a correct solution,
-/// and the largest number of them in a lab; each has the level of Sidak's formula (1.56e-8, |z| =
-/// 5.65).
+/// and the largest number of them in a lab; each has the level of Sidak's formula (1.25e-8, |z| =
+/// 5.69).
 constexpr double lab_alpha = 1e-6;
-constexpr int lab_budget = 64;
+constexpr int lab_budget = 80;
 double comparison_alpha();
 
 /// Concludes a verdict from the p-value of its statistic ("z = 3.1"): whether it passed, and in

@@ -312,7 +312,9 @@ void Run::leave(const std::string& why) {
 
 void Run::record(const Verdict& verdict) {
   if (verdict.p && ++statistical_ > lab_budget) {
-    throw Error("more than {} statistical comparisons: their error rate is not kept", lab_budget);
+    trouble_ = fmt::format("more than {} statistical comparisons: their error rate is not kept",
+                           lab_budget);
+    throw Error("{}", trouble_);
   }
   current().verdicts.push_back(verdict);
 }

@@ -137,6 +137,7 @@ TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
   for (int i = 0; i < lab_budget; ++i)
     run.record(mean_is("it", values, {}));
   CHECK_THROWS_AS(run.record(mean_is("it", values, {})), carlo::Error);
+  CHECK(run.trouble().find("80 statistical comparisons") != std::string::npos);
 }
 
 TEST_CASE("after a deadline or a missing implementation an exercise starts no more workers",
