@@ -70,8 +70,8 @@ inline std::vector<double> shares_by_edge(const SkyImage& image) {
   std::vector<double> shares;
   double sum = 0;
   for (std::size_t k = 0; k < image.luminance.size(); ++k) {
-    const auto row = static_cast<double>(k / image.width);
-    const double sine = std::sin(pi * row / static_cast<double>(image.height));
+    const std::size_t row = k / image.width;
+    const double sine = std::sin(pi * static_cast<double>(row) / static_cast<double>(image.height));
     shares.push_back(image.luminance[k] * sine);
     sum += shares.back();
   }

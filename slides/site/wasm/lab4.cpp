@@ -27,9 +27,10 @@ Numbers values(const Arguments& given) {
   const lab04::Integrand g = integrand(given.index(0));
   const std::int64_t side = given.whole(1);
   Numbers found;
-  for (std::int64_t i = 0; i < side * side; ++i) {
-    const double x = (static_cast<double>(i % side) + 0.5) / given[1];
-    found.push_back(g.f(x, 1 - (static_cast<double>(i / side) + 0.5) / given[1]));
+  for (std::int64_t row = 0; row < side; ++row) {
+    const double y = 1 - (static_cast<double>(row) + 0.5) / given[1];
+    for (std::int64_t column = 0; column < side; ++column)
+      found.push_back(g.f((static_cast<double>(column) + 0.5) / given[1], y));
   }
   return found;
 }

@@ -89,8 +89,9 @@ Numbers disc(const Arguments& given) {
     } else {
       double radius = rng.uniform(), angle = rng.uniform();
       if (given[0] == 2) {
-        radius = (static_cast<double>(i % side) + radius) / given[1];
-        angle = (static_cast<double>(i / side) + angle) / given[1];
+        const auto row = i / side, column = i % side;
+        radius = (static_cast<double>(column) + radius) / given[1];
+        angle = (static_cast<double>(row) + angle) / given[1];
       }
       p = disc_by_inversion(radius, angle);
       darts += 1;

@@ -98,9 +98,10 @@ struct PhotonImage {
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const float x = rng.uniform_float();
       const float y = rng.uniform_float();
+      const std::size_t row = i / static_cast<std::size_t>(size),
+                        column = i % static_cast<std::size_t>(size);
       const Ray ray = world.scene().camera.ray(
-          {(static_cast<float>(i % static_cast<std::size_t>(size)) + x) / side,
-           (static_cast<float>(i / static_cast<std::size_t>(size)) + y) / side});
+          {(static_cast<float>(column) + x) / side, (static_cast<float>(row) + y) / side});
       sums[i] += glm::dvec3(photon_radiance(world, ray, map, static_cast<float>(radius), rng));
     }
     if (alpha > 0) radius = next_radius(radius, passes, alpha);
@@ -160,9 +161,9 @@ struct Cached {
 
   Ray ray(std::size_t i) const {
     const auto side = static_cast<std::size_t>(size);
-    return world.scene().camera.ray(
-        {(static_cast<float>(i % side) + 0.5f) / static_cast<float>(size),
-         (static_cast<float>(i / side) + 0.5f) / static_cast<float>(size)});
+    const std::size_t row = i / side, column = i % side;
+    return world.scene().camera.ray({(static_cast<float>(column) + 0.5f) / static_cast<float>(size),
+                                     (static_cast<float>(row) + 0.5f) / static_cast<float>(size)});
   }
 
   /// The record of a pixel's surface by `side` squared directions, of indirect light alone.
