@@ -42,7 +42,7 @@ fs::path made_folder(const fs::path& folder) {
 
 /// Returns a new copy of an object, readable as it is.
 fs::path copied(const fs::path& object, const fs::path& folder, const std::string& name) {
-  const fs::path copy = folder / (name + object.filename().string());
+  fs::path copy = folder / (name + object.filename().string());
   fs::copy_file(object, copy, fs::copy_options::overwrite_existing);
   return copy;
 }
@@ -87,7 +87,7 @@ bool ReplaceableCode::is_one_of(const std::string& symbol,
 
 fs::path ReplaceableCode::solution_object(const std::string& file, const std::string& text) {
   const fs::path name = fs::path(file).filename().string() + ".o";
-  const fs::path object = tools_.solution_objects / name;
+  fs::path object = tools_.solution_objects / name;
   if (fs::exists(object)) return object;
   // Whichever submission needs it first makes it for all.
   const fs::path own = folders_.ours / ("new_" + name.string());
