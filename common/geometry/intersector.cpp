@@ -296,7 +296,7 @@ void fill_analytic(const SurfacePoint& point, Vec3 coordinates, Hit& hit) {
   hit.p_error = rounding_bound(3) * glm::abs(point.p) +
                 Vec3(0x1p-49f *
                      (std::abs(coordinates.x) + std::abs(coordinates.y) + std::abs(coordinates.z)));
-  hit.n = point.n;
+  hit.n = hit.ns = point.n;
 }
 
 /// For a sphere or a disk.
@@ -308,7 +308,7 @@ Vec3 coordinates_of(const S& s) {
 void fill_sdf(const SphereTracer::Point& point, Hit& hit) {
   hit.p = point.p;
   hit.p_error = point.p_error;
-  hit.n = point.n;
+  hit.n = hit.ns = point.n;
 }
 
 }  // namespace
@@ -359,6 +359,7 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   hit.p = point.p;
   hit.p_error = point.error;
   hit.n = point.n;
+  hit.ns = shading_normal(*mesh.surface, primitive, met.u, met.v, hit.n, ray.d);
 }
 
 Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}

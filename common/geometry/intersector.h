@@ -10,11 +10,14 @@ namespace carlo {
 
 /// The nearest intersection of a ray.
 struct Hit {
-  float t = 0;              ///< distance along the ray
-  Vec3 p{0};                ///< the point, recomputed from the surface (more accurate than o + t d)
-  Vec3 p_error{0};          ///< bound on the absolute rounding error of each coordinate of p
-  Vec3 n{0};                ///< unit geometric normal, on the surface's own side, not the ray's
-  std::uint32_t shape = 0;  ///< index into Scene::shapes
+  float t = 0;      ///< distance along the ray
+  Vec3 p{0};        ///< the point, recomputed from the surface (more accurate than o + t d)
+  Vec3 p_error{0};  ///< bound on the absolute rounding error of each coordinate of p
+  Vec3 n{0};        ///< unit geometric normal, on the surface's own side, not the ray's
+  /// The unit normal to shade with: n, or interpolated from a mesh's vertex normals. On n's side,
+  /// and seen from the ray's side of the surface.
+  Vec3 ns{0};
+  std::uint32_t shape = 0;      ///< index into Scene::shapes
   std::uint32_t primitive = 0;  ///< triangle of a mesh
 };
 

@@ -52,6 +52,17 @@ TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, 
           Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))))};
 }
 
+Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, Vec3 n, Vec3 d) {
+  if (mesh.normals_of.empty() || mesh.normals_of[triangle].x == Mesh::flat) return n;
+  const glm::uvec3 corner = mesh.normals_of[triangle];
+  const Vec3 sum = (1 - u - v) * mesh.normals[corner.x] + u * mesh.normals[corner.y] +
+                   v * mesh.normals[corner.z];
+  const float length = glm::length(sum), side = glm::dot(sum, n);
+  if (!(length > 1e-4f) || side == 0) return n;
+  const Vec3 smooth = (side > 0 ? 1 / length : -1 / length) * sum;
+  return (glm::dot(smooth, d) > 0) == (glm::dot(n, d) > 0) ? smooth : n;
+}
+
 TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 d,
                          const TriangleHit& about) {
   // Source: Moeller, Trumbore, "Fast, minimum storage ray/triangle intersection", Journal of

@@ -30,6 +30,11 @@ TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 
 /// The point (1 - u - v) a + u b + v c of a triangle.
 TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
 
+/// The normal to shade with at that point, whose normal is n, for a ray in direction d:
+/// interpolated from vertex normals and turned to n's side; n if there are none, or if they face
+/// away from the ray.
+Vec3 shading_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v, Vec3 n, Vec3 d);
+
 /// Several rays o + x d, 0 < x < t, one column per coordinate; and their hits: the mesh's number,
 /// its triangle, and the point in it (triangle_point()). `t` becomes the distance.
 struct MeshRays {

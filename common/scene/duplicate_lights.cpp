@@ -200,6 +200,19 @@ class DuplicateLights {
     t = {t.x, t.x, t.x};
   }
 
+  static void remove_marked(Mesh& mesh) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const glm::uvec3 t = mesh.triangles[i];
+      if (t.x == t.y && t.y == t.z) continue;
+      mesh.triangles[kept] = t;
+      if (!mesh.normals_of.empty()) mesh.normals_of[kept] = mesh.normals_of[i];
+      ++kept;
+    }
+    mesh.triangles.resize(kept);
+    if (!mesh.normals_of.empty()) mesh.normals_of.resize(kept);
+  }
+
   void require_same_light(std::size_t i, std::size_t k) const {
     const Shape &a = scene_.shapes[i], &b = scene_.shapes[k];
     const bool same_material = scene_.materials[a.material] == scene_.materials[b.material];
@@ -218,12 +231,8 @@ class DuplicateLights {
       if (gone_[i] != 0) continue;
       Shape& shape = scene_.shapes[i];
       if (auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-        auto& triangles = mesh->triangles;
-        triangles.erase(
-            std::remove_if(triangles.begin(), triangles.end(),
-                           [](const glm::uvec3& t) { return t.x == t.y && t.y == t.z; }),
-            triangles.end());
-        if (triangles.empty()) continue;
+        remove_marked(*mesh);
+        if (mesh->triangles.empty()) continue;
       }
       shapes.push_back(std::move(shape));
     }

@@ -88,8 +88,10 @@ class Digest {
     add_all(center, normal, radius);
   }
   void add(const Mesh& s) {
-    const auto& [positions, triangles] = s;
+    const auto& [positions, triangles, normals, normals_of] = s;
     add_all(positions, triangles);
+    // Meshes without vertex normals keep the fingerprint that they had before these existed.
+    if (!normals_of.empty()) add_all(normals, normals_of);
   }
   void add(const Sdf& s) {
     const auto& [steps, place, flipped] = s;

@@ -6,7 +6,9 @@
 #include "support/error.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_inverse.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -32,24 +34,23 @@ MeshFile read_mesh_file(const Properties& shape, const std::string& filename) {
   }
 }
 
-void check_normals(Properties& shape, const MeshFile& file) {
+/// Drops the file's vertex normals if the scene says so.
+void choose_normals(Properties& shape, MeshFile& file) {
   const auto face_normals = shape.boolean("faceNormals");
-  if (face_normals == false) {
-    fail(shape.at("faceNormals"), "smooth normals are not supported, expected true");
+  if (face_normals == false && file.normals_of.empty()) {
+    fail(shape.at("faceNormals"),
+         "the mesh has no vertex normals, and none are computed: expected true");
   }
-  if (file.vertex_normals && !face_normals) {
-    fail(shape.at("filename"),
-         "the mesh has vertex normals, which are not supported; <boolean name=\"faceNormals\" "
-         "value=\"true\"/> uses those of the triangles");
-  }
+  if (face_normals == true) file.normals_of.clear();
 }
 
 /// The file's vertices and triangles without the harmful ones, and notes about what was left out.
 class MeshBuilder {
  public:
-  MeshBuilder(const MeshFile& file, std::vector<Vec3> positions)
+  MeshBuilder(const MeshFile& file, std::vector<Vec3> positions, const glm::dmat4& to_world)
       : file_(file), left_out_(file.triangles.size()) {
     mesh_.positions = std::move(positions);
+    if (!file.normals_of.empty()) take_normals(glm::inverseTranspose(glm::dmat3(to_world)));
   }
 
   Mesh build(bool turned) {
@@ -57,8 +58,10 @@ class MeshBuilder {
     duplicates_ = mark_duplicate_faces(file_, mesh_.positions, left_out_);
     mesh_.triangles.reserve(file_.triangles.size());
     for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
-      const glm::uvec3 t = file_.triangles[i];
-      if (left_out_[i] == 0) mesh_.triangles.push_back(turned ? glm::uvec3(t.x, t.z, t.y) : t);
+      if (left_out_[i] != 0) continue;
+      const auto turn = [turned](glm::uvec3 t) { return turned ? glm::uvec3(t.x, t.z, t.y) : t; };
+      mesh_.triangles.push_back(turn(file_.triangles[i]));
+      if (!mesh_.normals.empty()) mesh_.normals_of.push_back(turn(normals_of(i)));
     }
     leave_out_unused();
     return std::move(mesh_);
@@ -66,8 +69,31 @@ class MeshBuilder {
 
   std::size_t degenerate() const { return degenerate_; }
   std::size_t duplicates() const { return duplicates_; }
+  /// Triangles whose vertex normals have no direction.
+  std::size_t without_direction() const { return without_direction_; }
 
  private:
+  void take_normals(const glm::dmat3& to_world) {
+    mesh_.normals.reserve(file_.normals.size());
+    for (const glm::dvec3& n : file_.normals) {
+      const glm::dvec3 there = to_world * n;
+      const double length = glm::length(there);
+      const bool has_direction = length > 0 && std::isfinite(length);
+      mesh_.normals.push_back(has_direction ? Vec3(there / length) : Vec3(0));
+    }
+  }
+
+  glm::uvec3 normals_of(std::size_t triangle) {
+    const glm::uvec3 t = file_.normals_of[triangle];
+    if (t.x == MeshFile::no_normal) return glm::uvec3(Mesh::flat);
+    for (int k = 0; k < 3; ++k) {
+      if (mesh_.normals[t[k]] != Vec3(0)) continue;
+      ++without_direction_;
+      return glm::uvec3(Mesh::flat);
+    }
+    return t;
+  }
+
   void leave_out_degenerate() {
     for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
       const glm::uvec3 t = file_.triangles[i];
@@ -99,7 +125,7 @@ class MeshBuilder {
   const MeshFile& file_;
   Mesh mesh_;
   std::vector<char> left_out_;  ///< of the file's triangles
-  std::size_t degenerate_ = 0, duplicates_ = 0;
+  std::size_t degenerate_ = 0, duplicates_ = 0, without_direction_ = 0;
 };
 
 /// A note if the file's vertex normals suggest that its faces are wound the wrong way around.
@@ -122,8 +148,8 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   if (!filename) shape.missing("filename", "string");
   const glm::dmat4 to_world = shape.to_world();
   const bool flipped = shape.boolean("flipNormals").value_or(false);
-  const MeshFile file = read_mesh_file(shape, *filename);
-  check_normals(shape, file);
+  MeshFile file = read_mesh_file(shape, *filename);
+  choose_normals(shape, file);
   if (file.triangles.empty()) {
     fail(shape.at("filename"), "the mesh {} is empty: it has no faces{}", in_quotes(*filename),
          file.notes.empty() ? "" : fmt::format(" ({})", fmt::join(file.notes, "; ")));
@@ -133,7 +159,7 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   positions.reserve(file.positions.size());
   for (const glm::dvec3& p : file.positions)
     positions.push_back(transform_point(to_world, p, shape.at("toWorld")));
-  MeshBuilder builder(file, std::move(positions));
+  MeshBuilder builder(file, std::move(positions), to_world);
   // A mirrored mesh keeps its outside in 0.6 files; Mitsuba 3 turns it inside out, as a sphere.
   const bool mirrored = mirrors(to_world), kept = shape.dialect() == Dialect::mitsuba06;
   Mesh mesh = builder.build((mirrored && kept) != flipped);
@@ -149,6 +175,10 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   if (builder.duplicates() > 0)
     notes.push_back(
         fmt::format("{}: {} duplicate faces left out", *filename, builder.duplicates()));
+  if (builder.without_direction() > 0) {
+    notes.push_back(fmt::format("{}: {} triangles are flat: their vertex normals have no direction",
+                                *filename, builder.without_direction()));
+  }
   if (mirrored) {
     notes.push_back(fmt::format("{}: its toWorld mirrors it; {}", *filename,
                                 kept

@@ -194,14 +194,28 @@ std::optional<std::string> cut_into_triangles(const Points& points,
 
 }  // namespace
 
-void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place) {
+void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place,
+              std::span<const std::uint32_t> normals) {
+  if (!normals.empty()) mesh.normals_of.resize(mesh.triangles.size(), glm::uvec3(mesh.no_normal));
   if (corners.size() > 3) {
     mesh.polygons.push_back(
         {mesh.triangles.size(), mesh.polygon_corners.size(), corners.size(), place});
     mesh.polygon_corners.insert(mesh.polygon_corners.end(), corners.begin(), corners.end());
   }
-  for (std::size_t i = 2; i < corners.size(); ++i)
+  for (std::size_t i = 2; i < corners.size(); ++i) {
     mesh.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
+    if (!normals.empty()) mesh.normals_of.emplace_back(normals[0], normals[i - 1], normals[i]);
+  }
+}
+
+/// Returns the normals of a polygon's corners, which is a fan as yet; none if it has none.
+static std::vector<std::uint32_t> normals_of(const MeshFile& mesh, const Polygon& polygon) {
+  if (polygon.first_triangle >= mesh.normals_of.size()) return {};
+  const glm::uvec3* const fan = &mesh.normals_of[polygon.first_triangle];
+  std::vector<std::uint32_t> normals{fan[0].x, fan[0].y};
+  for (std::size_t i = 0; i + 2 < polygon.corners; ++i)
+    normals.push_back(fan[i].z);
+  return normals;
 }
 
 void cut_polygons(MeshFile& mesh, const std::string& name, std::string_view place) {
@@ -215,9 +229,12 @@ void cut_polygons(MeshFile& mesh, const std::string& name, std::string_view plac
     if (fan_fits(points)) continue;
     if (const auto wrong = cut_into_triangles(points, triangles))
       throw Error("{}{}{}: {}", name, place, polygon.place, *wrong);
+    const std::vector<std::uint32_t> normals = normals_of(mesh, polygon);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const glm::uvec3 t = triangles[i];
       mesh.triangles[polygon.first_triangle + i] = {corners[t.x], corners[t.y], corners[t.z]};
+      if (!normals.empty())
+        mesh.normals_of[polygon.first_triangle + i] = {normals[t.x], normals[t.y], normals[t.z]};
     }
   }
 }

@@ -24,7 +24,11 @@ struct MeshFile {
   std::vector<glm::uvec3> triangles;  ///< in the order of the faces; n - 2 for a face of n corners
   std::vector<Polygon> polygons;      ///< the faces with more than three corners
   std::vector<std::uint32_t> polygon_corners;
-  bool vertex_normals = false;  ///< the faces refer to vertex normals, which are not kept
+  /// Vertex normals, and those of each triangle's corners, x = no_normal for a face without; the
+  /// latter is empty if no face has any.
+  std::vector<glm::dvec3> normals;
+  std::vector<glm::uvec3> normals_of;
+  static constexpr std::uint32_t no_normal = 0xFFFFFFFF;
   std::size_t faces_with_normals = 0;
   std::size_t faces_against = 0;   ///< faces whose vertex normals point to the other side
   std::vector<std::string> notes;  ///< contents of the file that are not used
@@ -41,8 +45,10 @@ MeshFile read_obj(const std::filesystem::path& path);
 /// Throws Error "FILE: what is wrong" or, for files with lines, "FILE:LINE: what is wrong".
 MeshFile read_ply(const std::filesystem::path& path);
 
-/// Adds a face of at least three corners; a polygon provisionally as a fan.
-void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place);
+/// Adds a face of at least three corners; a polygon provisionally as a fan. `normals`: one for each
+/// corner, or none.
+void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place,
+              std::span<const std::uint32_t> normals = {});
 
 /// Cuts polygons again that a fan does not fit, once all positions are known. `place`:
 /// the separator before place numbers, such as ":" for lines. Throws Error "NAME<place>12: what is

@@ -93,6 +93,8 @@ class ObjReader {
   MeshFile read() {
     while (const auto statement = lines_.next())
       read_statement(*statement);
+    if (!mesh_.normals_of.empty())
+      mesh_.normals_of.resize(mesh_.triangles.size(), glm::uvec3(mesh_.no_normal));
     cut_polygons(mesh_, name_, ":");
     if (materials_) mesh_.notes.push_back(name_ + ": materials named in the file are not used");
     if (!unused_.empty()) {
@@ -147,7 +149,7 @@ class ObjReader {
     std::array<double, 3> numbers{};
     const std::size_t count = read_numbers(line, numbers);
     if (count != 3) wrong(fmt::format("a vertex normal has 3 numbers, got {}", count));
-    normals_.emplace_back(numbers[0], numbers[1], numbers[2]);
+    mesh_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
 
   /// Returns how many there are, even if too many to be stored.
@@ -169,8 +171,9 @@ class ObjReader {
       read_corner(word);
     if (corners_.size() < 3)
       wrong(fmt::format("a face has 3 corners or more, got {}", corners_.size()));
-    add_face(mesh_, corners_, lines_.line());
-    if (corner_normals_.size() == corners_.size()) compare_normals();
+    if (corner_normals_.size() != corners_.size()) corner_normals_.clear();
+    add_face(mesh_, corners_, lines_.line(), corner_normals_);
+    if (!corner_normals_.empty()) compare_normals();
   }
 
   // "v", "v/vt", "v//vn" or "v/vt/vn", where vt and vn may be missing.
@@ -184,11 +187,10 @@ class ObjReader {
       wrong(
           fmt::format("expected v, v/vt, v//vn or v/vt/vn, all numbers, got {}", in_quotes(word)));
     if (last + 1 >= word.size()) return;
-    mesh_.vertex_normals = true;
-    // Exporters refer to normals that they leave out. They are not used for shading.
+    // Exporters refer to normals that they leave out.
     const auto number = parse_integer(word.substr(last + 1));
     if (!number) wrong(fmt::format("expected a normal number, got {}", in_quotes(word)));
-    const auto place = place_of(*number, normals_.size());
+    const auto place = place_of(*number, mesh_.normals.size());
     if (place)
       corner_normals_.push_back(*place);
     else
@@ -221,7 +223,7 @@ class ObjReader {
                          mesh_.positions[corners_[i]] - first);
     }
     for (const std::uint32_t n : corner_normals_)
-      normal += normals_[n];
+      normal += mesh_.normals[n];
     ++mesh_.faces_with_normals;
     if (glm::dot(area, normal) < 0) ++mesh_.faces_against;
   }
@@ -236,7 +238,6 @@ class ObjReader {
   std::size_t missing_normals_ = 0;
   bool materials_ = false;
   std::vector<std::string> unused_;
-  std::vector<glm::dvec3> normals_;
   std::vector<std::uint32_t> corners_, corner_normals_;  ///< of the current face
   MeshFile mesh_;
 };

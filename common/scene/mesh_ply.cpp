@@ -60,7 +60,10 @@ class PlyReader {
     if (const auto note = data_.finish()) mesh_.notes.push_back(*note);
     // In a binary file the places of faces are their numbers.
     cut_polygons(mesh_, name_, data_.has_lines() ? ":" : ": face ");
-    if (mesh_.vertex_normals) compare_normals();
+    if (has_normals_) {
+      compare_normals();
+      mesh_.normals_of = mesh_.triangles;
+    }
     return std::move(mesh_);
   }
 
@@ -89,7 +92,10 @@ class PlyReader {
           "expected one list vertex_indices of the element face (or tristrips, for strips of "
           "triangles)");
     }
-    mesh_.vertex_normals = number_of(Use::nx) > 0;
+    const int components = number_of(Use::nx) + number_of(Use::ny) + number_of(Use::nz);
+    has_normals_ = components == 3 && number_of(Use::nx) * number_of(Use::ny) == 1;
+    if (components > 0 && !has_normals_)
+      mesh_.notes.push_back(fmt::format("{}: incomplete vertex normals are not used", name_));
   }
 
   void read_item(const PlyElement& element, const std::vector<Use>& uses) {
@@ -111,7 +117,7 @@ class PlyReader {
     }
     if (element.name != "vertex") return;
     add_vertex(position);
-    if (mesh_.vertex_normals) normals_.push_back(normal);
+    if (has_normals_) mesh_.normals.push_back(normal);
   }
 
   void add_vertex(glm::dvec3 position) {
@@ -171,7 +177,7 @@ class PlyReader {
                            mesh_.positions[t.z] - mesh_.positions[t.x]);
       }
       for (const std::uint32_t corner : corners)
-        normal += normals_[corner];
+        normal += mesh_.normals[corner];
       ++mesh_.faces_with_normals;
       if (glm::dot(area, normal) < 0) ++mesh_.faces_against;
     });
@@ -187,7 +193,7 @@ class PlyReader {
   PlyData data_;
   MeshFile mesh_;
   std::size_t vertices_ = 0, faces_ = 0;
-  std::vector<glm::dvec3> normals_;
+  bool has_normals_ = false;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -30,6 +30,7 @@ void count(const Shape& shape, Needs& n) {
         ++n.meshes;
         n.triangles += mesh.triangles.size();
         n.triangle_lights += light * mesh.triangles.size();
+        n.vertex_normals |= !mesh.normals_of.empty();
       },
       [&](const Sdf&) { ++n.sdfs; });
 }
@@ -93,13 +94,14 @@ std::string describe(const Needs& n) {
   // Adding a member is a compile error here, until it is described or ignored on purpose.
   const auto& [parallelograms, spheres, disks, meshes, triangles, sdfs, diffuse, phong, mirror,
                dielectric, one_sided, two_sided, parallelogram_lights, sphere_lights, disk_lights,
-               triangle_lights, point_lights, environment, envmap, depth_limit] = n;
+               triangle_lights, point_lights, environment, envmap, depth_limit, vertex_normals] = n;
   (void)meshes, (void)depth_limit;
   List shapes, materials, lights;
   shapes.add(parallelograms, "parallelogram");
   shapes.add(spheres, "sphere");
   shapes.add(disks, "disk");
   shapes.add(triangles, "triangle");
+  shapes.add(vertex_normals, "vertex normals");
   shapes.add(sdfs, "sdf");
   materials.add(diffuse, "diffuse");
   materials.add(phong, "phong");

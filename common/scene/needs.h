@@ -17,6 +17,7 @@ struct Needs {
   std::size_t point_lights = 0;
   bool environment = false, envmap = false;
   bool depth_limit = false;
+  bool vertex_normals = false;
 
   std::size_t primitives() const { return parallelograms + spheres + disks + triangles + sdfs; }
   std::size_t area_lights() const {

@@ -70,10 +70,16 @@ struct Disk {
   float radius;
 };
 
-/// Counter-clockwise triangles with their geometric normals.
+/// Counter-clockwise triangles. Their outside is where they are counter-clockwise, whatever the
+/// vertex normals say.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<glm::uvec3> triangles;
+  /// Unit vertex normals, and those of each triangle's corners: x is `flat` for a triangle without.
+  /// Both are empty if no triangle has any.
+  std::vector<Vec3> normals = {};
+  std::vector<glm::uvec3> normals_of = {};
+  static constexpr std::uint32_t flat = 0xFFFFFFFF;
 };
 
 struct Shape {

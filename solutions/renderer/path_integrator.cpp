@@ -36,6 +36,9 @@ constexpr float roulette_threshold = 0.25f;
 
 /// Sampler dimensions: two for the film, then a fixed number for each vertex of the path.
 constexpr std::uint32_t film_dimensions = 2, vertex_dimensions = 8;
+/// Vertex normals let rays circle in glass for ever, where its triangles would let them out: after
+/// this many vertices (of a ball of 528 triangles, one path in a thousand), the triangles count.
+constexpr std::uint32_t smooth_glass_dimensions = film_dimensions + 64 * vertex_dimensions;
 /// Within a vertex: light choice and point (3), lobe and direction (3), roulette (1).
 constexpr std::uint32_t light_dimension = 0, lobe_dimension = 3, roulette_dimension = 6;
 
@@ -147,7 +150,7 @@ class PathIntegrator final : public carlo::Integrator {
     if (last) return false;
     const Surface& surface = surfaces_[shape.material];
     const bool seen = front || surface.two_sided;  ///< one-sided surfaces are black on their back
-    const Vec3 normal = front ? hit.n : -hit.n;
+    const Vec3 normal = front ? hit.ns : -hit.ns;
     return carlo::match(
         surface.bsdf,
         [&](const ModifiedPhong& bsdf) {
@@ -191,7 +194,7 @@ class PathIntegrator final : public carlo::Integrator {
     sampler.seek(path.dimension + lobe_dimension);
     const float u_lobe = sampler.next_1d();
     const auto next = bsdf.sample(normal, wo, u_lobe, sampler.next_2d());
-    if (!next) return false;
+    if (!next || !reflects(hit, wo, next->wi)) return false;
     path.beta *= next->weight;
     path.pdf = next->pdf;
     path.vertex = {{hit.p, hit.p_error}, normal};
@@ -207,7 +210,7 @@ class PathIntegrator final : public carlo::Integrator {
     if (!light) return Rgb(0);
     const Vec3 wi = glm::normalize(light->p - hit.p);
     const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);
-    if (!(value.pdf > 0)) return Rgb(0);
+    if (!(value.pdf > 0) || !reflects(hit, wo, wi)) return Rgb(0);
     const carlo::ShadowRay shadow =
         carlo::shadow_ray(carlo::offset_origin(hit.p, hit.p_error, hit.n, wo, wi), light->p,
                           light->p_error, light->n, light->shades_itself);
@@ -222,16 +225,24 @@ class PathIntegrator final : public carlo::Integrator {
                              const carlo::Mirror& mirror) {
     path.beta *= mirror.reflectance;
     path.nee_done = false;
-    spawn(path, hit, glm::normalize(reflect(normal, -path.ray.d)));
+    const Vec3 wo = -path.ray.d, wi = glm::normalize(reflect(normal, wo));
+    spawn(path, hit, reflects(hit, wo, wi) ? wi : glm::normalize(reflect(hit.n, wo)));
     return survives_roulette(path, sampler);
   }
 
   bool scatter_dielectric(Path& path, Sampler& sampler, const Hit& hit, bool front,
                           const carlo::Dielectric& glass) const {
     const Vec3 wo = -path.ray.d;
-    const Vec3 normal = front ? hit.n : -hit.n;
     const float eta = front ? glass.ext_ior / glass.int_ior : glass.int_ior / glass.ext_ior;
-    const Refraction refraction = refract(normal, wo, eta);
+    const Vec3 flat = front ? hit.n : -hit.n;
+    const bool smooth = is_smooth(hit) && path.dimension < smooth_glass_dimensions;
+    Vec3 normal = smooth ? (front ? hit.ns : -hit.ns) : flat;
+    Refraction refraction = refract(normal, wo, eta);
+    if (smooth && !(reflects(hit, wo, reflect(normal, wo)) &&
+                    (!refraction.wt || !reflects(hit, wo, *refraction.wt)))) {
+      normal = flat;
+      refraction = refract(normal, wo, eta);
+    }
     path.nee_done = false;
     sampler.seek(path.dimension + lobe_dimension);
     if (sampler.next_1d() < refraction.reflectance || !refraction.wt) {
@@ -243,6 +254,14 @@ class PathIntegrator final : public carlo::Integrator {
       spawn(path, hit, *refraction.wt);
     }
     return survives_roulette(path, sampler);
+  }
+
+  static bool is_smooth(const Hit& hit) { return hit.ns != hit.n; }
+
+  /// True unless wi, as seen from the triangle and not from its vertex normals, lies behind the
+  /// surface.
+  static bool reflects(const Hit& hit, Vec3 wo, Vec3 wi) {
+    return !is_smooth(hit) || (glm::dot(hit.n, wo) > 0) == (glm::dot(hit.n, wi) > 0);
   }
 
   /// Starts the path's next ray at the surface in direction d.

@@ -70,11 +70,61 @@ TEST_CASE("a mesh keeps its outside when it is mirrored, and turns it when flipp
   CHECK(volume(mesh_of(load_obj(tetrahedron, flip + mirror))) == Catch::Approx(-2.0 / 6));
 }
 
-TEST_CASE("vertex normals are refused unless faceNormals is asked for", "[scene]") {
+/// Checks that each corner's vertex normal is that of its position.
+template <class Normal>
+void check_normals(const carlo::Mesh& mesh, std::size_t triangles, const Normal& normal) {
+  REQUIRE(mesh.triangles.size() == triangles);
+  REQUIRE(mesh.normals_of.size() == triangles);
+  for (std::size_t i = 0; i < triangles; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3 at = mesh.positions[mesh.triangles[i][k]];
+      CHECK(glm::length(mesh.normals[mesh.normals_of[i][k]] - glm::normalize(normal(at))) < 1e-6f);
+    }
+  }
+}
+
+TEST_CASE("each corner keeps its vertex normal", "[scene]") {
+  // An arrow, which no fan fits; normals are (x, y, 2) in a shuffled order, one of them twice.
+  const std::string arrow =
+      "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nvn 1 1 2\nvn 0 2 2\nvn 2 1 2\nvn 0 0 2\nvn 0 0 1\n"
+      "f 1//4 2//3 3//2 4//1\nf 1//5 4//1 2//-3\n";
+  const auto there = [](glm::vec3 p) { return glm::vec3(p.x, p.y, 2); };
+  check_normals(mesh_of(load_obj(arrow)), 3, there);
+  // Normals are at right angles to what lies in the surface: x/3 where x is stretched by 3.
+  const std::string stretched =
+      "<transform name=\"toWorld\"><scale x=\"3\"/><translate z=\"5\"/></transform>";
+  check_normals(mesh_of(load_obj(arrow, stretched)), 3,
+                [](glm::vec3 p) { return glm::vec3(p.x / 9, p.y, 2); });
+  check_normals(mesh_of(load_obj(arrow, scene_test::flip_normals)), 3, there);
+  // Faces without, duplicates and degenerate ones between them.
+  const Scene mixed = load_obj(arrow + "f 1 2 3\nf 1 2 3\nf 1//4 1//4 2//3\nf 2//3 3//2 1\n");
+  const auto& mesh = mesh_of(mixed);
+  REQUIRE(mesh.triangles.size() == 4);
+  CHECK(mesh.normals_of[3].x == carlo::Mesh::flat);
+  CHECK(mesh_of(load_obj(arrow, scene_test::face_normals)).normals_of.empty());
+  const std::string strip =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float nx\nproperty float ny\nproperty "
+      "float nz\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 4 0 0 0\n2 0 4 1 0 0\n"
+      "0 2 4 0 1 0\n2 2 4 1 1 0\n4 0 1 2 3\n";
+  check_normals(mesh_of(scene_test::load_mesh("ply", strip)), 2, there);
+}
+
+TEST_CASE("vertex normals without a direction leave their triangles flat", "[scene]") {
+  const Scene scene = load_obj(scene_test::unit_square +
+                               "vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\nf 1//2 3//2 4//2\n");
+  const auto& mesh = mesh_of(scene);
+  REQUIRE(mesh.normals_of.size() == 2);
+  CHECK(mesh.normals_of[0].x == carlo::Mesh::flat);
+  CHECK(mesh.normals[mesh.normals_of[1].x] == glm::vec3(0, 0, 1));
+  CHECK(scene_test::notes_with(scene, "1 triangles are flat: their vertex normals have no dir") ==
+        1);
+}
+
+TEST_CASE("faceNormals takes a mesh's vertex normals away", "[scene]") {
   const std::string smooth = scene_test::unit_square + "vn 0 0 1\nf 1//1 2//1 3//1\n";
-  CHECK_THROWS(load_obj(smooth));
-  const Scene scene = load_obj(smooth, "<boolean name=\"faceNormals\" value=\"true\"/>");
-  CHECK(mesh_of(scene).triangles.size() == 1);
+  CHECK(mesh_of(load_obj(smooth)).normals_of.size() == 1);
+  CHECK(mesh_of(load_obj(smooth, scene_test::face_normals)).normals_of.empty());
   CHECK_THROWS(load_obj(scene_test::unit_square + "f 1 2 3\n",
                         "<boolean name=\"faceNormals\" value=\"false\"/>"));
   // Texture coordinates alone are not normals, nor are missing numbers.

@@ -5,6 +5,7 @@
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
 #include "grader/grade/sha256.h"
+#include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "render/driver.h"
 #include "render/scene_film.h"
@@ -170,9 +171,12 @@ int main(int argc, char** argv) {
     app.flag("--write", make, "make the file again");
     if (const auto code = app.parse(argc, argv)) return *code;
     Comparison comparison(make ? std::nullopt : std::optional(read(path)));
-    for (auto& [name, scene] : lane_scenes::all()) {
+    std::vector<lane_scenes::Named> scenes = lane_scenes::all();
+    scenes.push_back({"knot", lab_scenes::load("knot")});  // for the scalar kernel alone
+    for (auto& [name, scene] : scenes) {
       resize(scene, width, height);
       for (const Way& way : ways()) {
+        if (way.vector_kernel && !renderer::light_paths_suit(scene)) continue;
         if (!depends_on_embree(name, way)) comparison.look_at(name, scene, way);
       }
     }

@@ -35,6 +35,9 @@ void enlarge(Scene& scene, float factor) {
     } else if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
       sphere->center *= factor;
       sphere->radius *= factor;
+    } else if (auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+      for (Vec3& p : mesh->positions)
+        p *= factor;
     } else if (auto* sdf = std::get_if<Sdf>(&shape.geometry)) {
       sdf->place.origin *= static_cast<double>(factor);
       sdf->place.scale *= static_cast<double>(factor);
@@ -71,7 +74,7 @@ TEST_CASE("Scenes with a closed form show it") {
 
 TEST_CASE("A scene looks the same at every scale from 1e-4 to 1e6") {
   // Independent seeds: means differ only by their standard errors.
-  for (const char* name : {"soft_shadows", "caustics", "procedural"}) {
+  for (const char* name : {"soft_shadows", "caustics", "procedural", "knot"}) {
     const MeanRadiance one = mean_radiance(render_scene(small(name, 48), 64, 1).film);
     std::uint64_t seed = 2;
     for (const float factor : {1e-4f, 1e-2f, 1e2f, 1e4f, 1e6f}) {

@@ -138,7 +138,12 @@ json mesh(const carlo::Shape& shape, float scale, std::ptrdiff_t material) {
   json positions = json::array();
   for (const carlo::Vec3& position : p.positions)
     positions.push_back(numbers(scale * position));
-  return {{"positions", positions}, {"faces", p.faces}, {"material", material}};
+  json result{{"positions", positions}, {"faces", p.faces}, {"material", material}};
+  const auto* smooth = std::get_if<carlo::Mesh>(&shape.geometry);
+  if (smooth == nullptr || smooth->normals_of.empty()) return result;
+  for (const carlo::Vec3& normal : smooth->normals)
+    result["normals"].push_back(numbers(normal));
+  return result;
 }
 
 json model(const carlo::Material& material) {
@@ -211,6 +216,13 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
   others.point_lights = 0;
   others.diffuse = others.mirror = others.dielectric = others.environment = others.envmap = false;
   others.one_sided = others.two_sided = others.depth_limit = false;
+  const auto odd = [](const carlo::Shape& shape) {
+    const auto* mesh = std::get_if<carlo::Mesh>(&shape.geometry);
+    return mesh != nullptr && !mesh->normals_of.empty() && mesh->normals_of != mesh->triangles;
+  };
+  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), odd))
+    return "vertex normals that are not one for each vertex";
+  others.vertex_normals = false;
   if (others != carlo::Needs{}) return "something that is new here";
   return {};
 }

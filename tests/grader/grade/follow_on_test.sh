@@ -2,7 +2,7 @@
 # follow_on_test.sh SOURCE BUILD [MOST [SEEDS [LAB ...]]]: a mistake costs no points in the exercises that
 # call the mistaken one. For each lab whose exercises build on others, hands in solutions with a
 # catalogued mistake in one that others use (the first MOST of each such exercise, by default 1; 0: all),
-# at SEEDS seeds (by default 1): all others that use it have all their points, and it has not.
+# at SEEDS seeds (by default 1; more: follow_on_seeds.cpp): all others that use it have all their points, and it has not.
 #
 # And what a student's program sees of the suite's versions stays there: a submission breaks 1.3 on
 # purpose, and its 1.7 prints results, address and code of the 1.3 that it finds.
@@ -88,11 +88,13 @@ for lab in "${labs[@]}"; do
       done
     done < <(awk -F '\t' -v tag="$used" -v most="$most" '$4 == tag && (most == 0 || ++n <= most) { print $2 }' "$scratch/list")
   done
-  for ((seed = 1; seed <= seeds; ++seed)); do
-    echo "secret $seed" >"$scratch/secret"
-    grade "$((10#$lab))" "$scratch/out$lab.$seed" "$scratch/class$lab"
-    checked "$scratch/out$lab.$seed/class.csv"
-  done
+  echo "a secret" >"$scratch/secret"
+  grade "$((10#$lab))" "$scratch/out$lab" "$scratch/class$lab"
+  checked "$scratch/out$lab/class.csv"
+  if [ "$seeds" -gt 1 ]; then
+    "$build/bin/grade_follow_on_seeds" "$source" "$build" "$((10#$lab))" "$seeds" "$scratch/class$lab" ||
+      failed "lab $lab, at $seeds seeds"
+  fi
 done
 printf '%d pairs of a mistake and a user\n' "$checks"
 [ "$checks" -gt 0 ] || failed "nothing was checked"

@@ -55,6 +55,9 @@ def add_material(spec):
 def add_mesh(spec, materials):
     mesh = bpy.data.meshes.new("mesh")
     mesh.from_pydata(spec["positions"], [], spec["faces"])
+    if "normals" in spec:
+        mesh.polygons.foreach_set("use_smooth", [True] * len(spec["faces"]))
+        mesh.normals_split_custom_set_from_vertices(spec["normals"])
     mesh.materials.append(materials[spec["material"]])
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("mesh", mesh))
 

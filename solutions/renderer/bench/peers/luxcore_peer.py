@@ -72,7 +72,7 @@ def scene_of(spec):
         add_material(properties, f"m{i}", material)
     for i, mesh in enumerate(spec["meshes"]):
         scene.DefineMesh(f"mesh{i}", [tuple(p) for p in mesh["positions"]], triangles(mesh["faces"]),
-                         None, None, None, None)
+                         [tuple(n) for n in mesh["normals"]] if "normals" in mesh else None, None, None, None)
         set_all(properties, f"scene.objects.o{i}", {"shape": f"mesh{i}", "material": f"m{mesh['material']}"})
     for i, light in enumerate(spec["point_lights"]):
         set_all(properties, f"scene.lights.l{i}", {

@@ -43,15 +43,20 @@ def mesh(spec, name):
     if len(spec["faces"]) == 1 and len(spec["faces"][0]) == 4:
         return rectangle(spec["positions"])
     path = name + ".ply"
+    corners = spec["positions"]
+    columns = "x y z"
+    if "normals" in spec:
+        corners = [p + n for p, n in zip(corners, spec["normals"])]
+        columns += " nx ny nz"
     with open(path, "w", encoding="utf-8") as file:
-        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(spec['positions'])}\n"
-                   "property float x\nproperty float y\nproperty float z\n"
+        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(corners)}\n" +
+                   "".join(f"property float {column}\n" for column in columns.split()) +
                    f"element face {len(spec['faces'])}\nproperty list uchar int vertex_index\nend_header\n")
-        for position in spec["positions"]:
-            file.write(" ".join(repr(x) for x in position) + "\n")
+        for corner in corners:
+            file.write(" ".join(repr(x) for x in corner) + "\n")
         for face in spec["faces"]:
             file.write(" ".join(map(str, [len(face)] + face)) + "\n")
-    return {"type": "ply", "filename": path, "face_normals": True}
+    return {"type": "ply", "filename": path, "face_normals": "normals" not in spec}
 
 
 FINER = {"columns": 8, "rows": 32}  # Mitsuba texels per texel of ours

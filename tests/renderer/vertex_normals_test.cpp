@@ -1,0 +1,131 @@
+// Meshes with vertex normals against closed forms. Each mean must lie within 4 standard errors, and
+// the standard error must be below .5 %; seeds are fixed.
+
+#include "scene_tools.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace scene_tools;
+
+using std::numbers::pi;
+
+void check_mean(const Scene& scene, double exact) {
+  const RenderResult result = render_scene(scene, 4096);
+  const MeanRadiance mean = mean_radiance(result.film);
+  INFO(result.counts.cut << " cut; " << mean.value[0] << " +- " << mean.standard_error[0] << " for "
+                         << exact);
+  CHECK(result.counts.bad == 0);
+  CHECK(std::abs(mean.value[0] - exact) <= 4 * mean.standard_error[0] + 2e-4 * exact);
+  CHECK(mean.standard_error[0] <= 0.005 * exact);
+}
+
+/// A square sheet of half side `size` in z = 0 with these vertex normals at its corners (-, -),
+/// (+, -), (+, +), (-, +); seen from `height` above, at (x, y), through a pinhole so narrow that
+/// all rays are one.
+Scene sheet(const std::vector<Vec3>& normals, float size, Vec2 at = Vec2(0)) {
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.sampler = SamplerKind::independent;
+  scene.camera = look_at(size * Vec3(at.x, at.y, 3), size * Vec3(at.x, at.y, 0), {0, 1, 0}, 0.01f);
+  Mesh mesh;
+  mesh.positions = {{-size, -size, 0}, {size, -size, 0}, {size, size, 0}, {-size, size, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const Vec3 n : normals)
+    mesh.normals.push_back(glm::normalize(n));
+  mesh.normals_of = mesh.triangles;
+  scene.shapes = {{mesh}};
+  return scene;
+}
+
+Vec3 tilted(double angle) {
+  return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
+}
+
+/// A ball of triangles whose vertex normals are those of the sphere around it.
+Mesh ball(float radius) {
+  constexpr std::uint32_t rings = 12, sectors = 24;
+  Mesh mesh;
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    for (std::uint32_t k = 0; k < sectors; ++k) {
+      const double theta = pi * i / rings, phi = 2 * pi * k / sectors;
+      const Vec3 n(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                   std::cos(theta));
+      mesh.normals.push_back(n);
+      mesh.positions.push_back(radius * n);
+    }
+  }
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t k = 0; k < sectors; ++k) {
+      const std::uint32_t a = i * sectors + k, b = i * sectors + (k + 1) % sectors;
+      if (i > 0) mesh.triangles.push_back({a, a + sectors, b});
+      if (i + 1 < rings) mesh.triangles.push_back({b, a + sectors, b + sectors});
+    }
+  }
+  mesh.normals_of = mesh.triangles;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("Vertex normals: a tilted lobe loses what lies below the triangle") {
+  // Of a cosine lobe that is tilted by an angle a, (1 + cos a)/2 lies above.
+  for (const float size : {1e-4f, 1.0f, 1e6f}) {
+    for (const double angle : {0.0, 0.3, 1.0, 1.5}) {
+      INFO("half side " << size << ", tilted by " << angle);
+      Scene scene = sheet(std::vector<Vec3>(4, tilted(angle)), size);
+      scene.lights.environment = Rgb(1);
+      scene.materials = {{Diffuse{Rgb(0.8f)}, false}};
+      check_mean(scene, 0.8 * (1 + std::cos(angle)) / 2);
+      // From behind, with the same normals and with opposite ones.
+      scene.camera = look_at(size * Vec3(0, 0, -3), Vec3(0), {0, 1, 0}, 0.01f);
+      scene.materials = {{Diffuse{Rgb(0.8f)}, true}};
+      check_mean(scene, 0.8 * (1 + std::cos(angle)) / 2);
+      for (Vec3& n : std::get<Mesh>(scene.shapes[0].geometry).normals)
+        n = -n;
+      check_mean(scene, 0.8 * (1 + std::cos(angle)) / 2);
+    }
+  }
+}
+
+TEST_CASE("Vertex normals: interpolated between the corners") {
+  // A far point light: rho/pi I cos/d^2, or nothing from behind the sheet.
+  const std::vector<Vec3> normals = {{1, 0, 1}, {0, 1, 2}, {-1, -1, 3}, {0.5f, 0, 1}};
+  const glm::dvec3 light(300, 0, 400);
+  for (const Vec2 at : {Vec2(0.5f, -0.6f), Vec2(-0.7f, 0.1f), Vec2(0.1f, 0.9f)}) {
+    // Barycentric coordinates: the triangles are below and above the diagonal x = y.
+    const double x = (at.x + 1) / 2, y = (at.y + 1) / 2;
+    const auto n = [&](std::size_t i) { return glm::normalize(glm::dvec3(normals[i])); };
+    const glm::dvec3 smooth = glm::normalize(x > y ? (1 - x) * n(0) + (x - y) * n(1) + y * n(2)
+                                                   : (1 - y) * n(0) + x * n(2) + (y - x) * n(3));
+    const glm::dvec3 way = light - glm::dvec3(at.x, at.y, 0);
+    Scene scene = sheet(normals, 1, at);
+    scene.materials = {{Diffuse{Rgb(0.5f)}, false}};
+    scene.lights.points = {{Vec3(light), Rgb(1e6f)}};
+    const double d2 = glm::dot(way, way), cosine = glm::dot(smooth, way) / std::sqrt(d2);
+    check_mean(scene, 0.5 / pi * 1e6 * std::max(0.0, cosine) / d2);
+    scene.lights.points[0].position.z = -1;
+    const RenderResult dark = render_scene(scene, 64);
+    CHECK(mean_radiance(dark.film).value[0] == 0);
+  }
+}
+
+TEST_CASE("Vertex normals: mirrors and glass lose nothing in a furnace") {
+  for (const float size : {1e-3f, 1.0f, 1e5f}) {
+    Scene scene;
+    scene.width = scene.height = 16;
+    scene.sampler = SamplerKind::independent;
+    scene.camera = look_at({0, size, 4 * size}, {0, 0, 0}, {0, 1, 0}, 24);
+    scene.lights.environment = Rgb(1);
+    scene.shapes = {{ball(size)}};
+    scene.materials = {{Dielectric{1.5f, 1}, false}};
+    check_mean(scene, 1);
+    scene.materials = {{Mirror{Rgb(1)}, false}};
+    check_mean(scene, 1);
+  }
+}
