@@ -35,6 +35,7 @@ solutions/renderer/bench/shapes.cpp|lights.environment = |makes a scene
 solutions/renderer/bench/shapes.cpp|lights.points.push_back|makes a scene
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
 solutions/renderer/bench/peer_scene.cpp|get_if<carlo::Sphere>|all other shapes go to mesh(), which matches every kind
+solutions/renderer/bench/peer_scene.cpp|get_if<carlo::Mesh>|only meshes have vertex normals
 solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a light to cut, an error if there is none
 solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the light of one scene, of which this makes another
 solutions/renderer/bench/scenes.cpp|m.way.sampler == SamplerKind::independent|the row that others are compared with
