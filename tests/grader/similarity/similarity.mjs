@@ -17,7 +17,8 @@ await Parser.init();
 const cpp = await Language.load(require.resolve("tree-sitter-cpp/tree-sitter-cpp.wasm"));
 
 const gram = 16, window = 6; // a match of gram + window - 1 tokens is always found
-const limits = { characters: 200_000, tokens: 20_000, milliseconds: 5000, own: 30, shown: 50, repeats: 50_000 };
+const limits = { characters: 200_000, tokens: 20_000, milliseconds: 5000, own: 30, repeats: 50_000,
+  shown: 50, fragments: 12, lines: 60 };
 
 /// Returns a text's syntax tree; throws a sentence.
 function parsed(text) {
@@ -52,7 +53,7 @@ function tokenized(name, files) {
     if (tokens.length > limits.tokens) throw `has more than ${limits.tokens} tokens`;
     for (const { row, column } of found.places)
       mapping.push(new Region(rows.length + row, column, rows.length + row, column));
-    text.split("\n").forEach((line, i) => rows.push({ file, row: i + 1, line }));
+    text.split("\n").forEach((line, i) => rows.push({ file, row: i + 1, text: line }));
     [characters, senseless] = [characters + text.length, senseless + found.senseless];
   }
   if (senseless > characters / 2) throw "is no C++ for the most part";
@@ -64,18 +65,23 @@ const sumOf = (fingerprints, file, power) =>
   [...fingerprints].reduce((sum, one) => sum + one.occurrencesOf(file).length ** power, 0);
 const percent = (share) => `${Math.round(100 * share)} %`;
 
+/// Returns a text's beginning without the signs that would turn its direction; never half a character.
+const shown = (text) => Array.from(text.slice(0, 400)).slice(0, 160).join("").replace(/[\u202a-\u202e\u2066-\u2069]/g, "?");
+
 /// Returns the largest matching fragments that add something, as lines side by side.
 function fragmentsOf(pair) {
   const lines = ({ rows }, { startRow, endRow }) => rows.slice(startRow, endRow + 1);
   const seen = [new Set(), new Set()];
-  const list = pair.buildFragments().sort((a, b) => b.pairs.length - a.pairs.length);
-  return list.map(({ leftSelection, rightSelection }) =>
-    [lines(pair.leftFile, leftSelection), lines(pair.rightFile, rightSelection)]
-  ).filter((sides) => {
+  const all = pair.buildFragments().sort((a, b) => b.pairs.length - a.pairs.length).map((fragment) =>
+    [lines(pair.leftFile, fragment.leftSelection), lines(pair.rightFile, fragment.rightSelection)]);
+  const list = all.filter((sides) => {
     const fresh = sides.map((side, i) => side.filter((line) => !seen[i].has(line)));
     fresh.forEach((side, i) => side.forEach((line) => seen[i].add(line)));
     return fresh.every((side) => side.length > 1);
   });
+  const cut = (side) => side.slice(0, limits.lines).map((line) => ({ ...line, text: shown(line.text) }));
+  return list.slice(0, limits.fragments).map(([left, right]) => ({ left: cut(left), right: cut(right),
+    more: Math.max(left.length, right.length, limits.lines) - limits.lines }));
 }
 
 function compare(lab, submissions) {
@@ -85,8 +91,8 @@ function compare(lab, submissions) {
     try {
       const file = path.join(work, `of_${name}.json`);
       if (!fs.existsSync(file)) throw "could not be read";
-      const { files: texts, problems } = JSON.parse(fs.readFileSync(file, "utf8"))[lab.folder];
-      if (problems.length > 0) throw `was refused: ${problems[0]}`;
+      const { files: texts, refused } = JSON.parse(fs.readFileSync(file, "utf8"))[lab.folder];
+      if (refused) throw "was refused: its report says why";
       if (Object.keys(texts).length === 0) throw "was not handed in";
       files.push(tokenized(name, texts));
     } catch (error) {
