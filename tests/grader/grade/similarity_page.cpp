@@ -25,6 +25,7 @@ constexpr const char* method =
     "fingerprints; a line of code has about two.";
 
 constexpr const char* similarity_style = R"(
+nav + .note, nav ~ .note { margin-top: 1.6rem; }
 .pair { margin: .6rem 0; border-top: 1px solid var(--rule); padding-top: .6rem; }
 .pair summary { color: var(--ink); font-size: 1rem; overflow-wrap: anywhere; }
 .sides { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: .5rem 1rem;
@@ -44,7 +45,7 @@ constexpr const char* similarity_style = R"(
 )";
 
 std::string percent(double share) {
-  return fmt::format("{:.0f} %", 100 * share);
+  return fmt::format("{:.0f}\u00a0%", 100 * share);
 }
 
 /// "integration.cpp, lines 3 to 9"
@@ -79,11 +80,11 @@ std::string pair_html(const SimilarPair& pair, std::size_t number, const Shown& 
 }
 
 Table pairs_table(const LabSimilarity& lab, const Shown& shown, const std::optional<Usual>& usual) {
-  Table table({"pair", "first", "second", "similarity", "longest fragment", "overlap", "remark"});
+  Table table({"pair", "submissions", "similarity", "longest fragment", "overlap", "remark"});
   for (std::size_t i = 0; i < std::min(lab.pairs.size(), most_pairs); ++i) {
     const SimilarPair& pair = lab.pairs[i];
     const bool stands_out = usual && pair.similarity > usual->threshold;
-    table.add_row({static_cast<int>(i + 1), shown.at(pair.first), shown.at(pair.second),
+    table.add_row({static_cast<int>(i + 1), shown.at(pair.first) + ", " + shown.at(pair.second),
                    Cell(percent(pair.similarity), pair.similarity), pair.longest, pair.overlap,
                    stands_out ? "stands out" : ""});
   }
@@ -110,7 +111,7 @@ void add_usual(Page& page, const LabSimilarity& lab, const std::optional<Usual>&
 }
 
 void add_groups(Page& page, const LabSimilarity& lab, const Shown& shown, double threshold) {
-  Table table({"group", "submissions", "that pairs which stand out connect"});
+  Table table({"group", "size", "submissions"});
   for (const auto& group : groups_of(lab, threshold)) {
     std::string names;
     for (const std::string& name : group)
@@ -121,7 +122,7 @@ void add_groups(Page& page, const LabSimilarity& lab, const Shown& shown, double
   if (table.rows().empty()) {
     page.prose("No pair stands out.");
   } else {
-    page.table(table);
+    page.table(table, "Groups: what pairs that stand out connect");
   }
 }
 

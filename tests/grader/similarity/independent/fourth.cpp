@@ -37,25 +37,21 @@ Numbers values(const lab01::Function& f, Numbers places) {
   return places;
 }
 
-class Places {
- public:
-  Places(const lab01::Box& box, carlo::Rng& rng) : box_(box), rng_(rng) {
-    for (size_t i = 0; i < box_.lower.size(); ++i)
-      volume_ *= side(i);
+struct Places {
+  Places(const lab01::Box& where, carlo::Rng& source) : box(where), rng(source) {
+    for (size_t i = 0; i < box.lower.size(); ++i)
+      volume *= side(i);
   }
-  double side(size_t i) const { return box_.upper[i] - box_.lower[i]; }
-  double volume() const { return volume_; }
+  double side(size_t i) const { return box.upper[i] - box.lower[i]; }
   Numbers next() {
-    Numbers place(box_.lower.begin(), box_.lower.end());
+    Numbers place(box.lower.begin(), box.lower.end());
     for (size_t i = 0; i < place.size(); ++i)
-      place[i] += side(i) * rng_.uniform();
+      place[i] += side(i) * rng.uniform();
     return place;
   }
-
- private:
-  const lab01::Box& box_;
-  carlo::Rng& rng_;
-  double volume_ = 1;
+  const lab01::Box& box;
+  carlo::Rng& rng;
+  double volume = 1;
 };
 
 }  // namespace
@@ -136,18 +132,18 @@ double integrate_box(const FunctionNd& f, const Box& box, int64_t n, carlo::Rng&
   Places places(box, rng);
   Numbers heights(static_cast<size_t>(n));
   std::generate(heights.begin(), heights.end(), [&] { return f(places.next()); });
-  return places.volume() * total(heights) / static_cast<double>(n);
+  return places.volume * total(heights) / static_cast<double>(n);
 }
 
 Estimate integrate_domain(const FunctionNd& f, const Inside& inside, const Box& box, int64_t n,
                           carlo::Rng& rng) {
+  Places places(box, rng);
   Moments hits;
-  for (Places places(box, rng); hits.count() < n;) {
+  while (hits.count() < n) {
     const Numbers place = places.next();
-    hits.add(inside(place) ? places.volume() * f(place) : 0);
-    if (hits.count() == n) return {hits.mean(), hits.standard_error()};
+    hits.add(inside(place) ? places.volume * f(place) : 0);
   }
-  return {};
+  return {hits.mean(), hits.standard_error()};
 }
 
 }  // namespace lab01
