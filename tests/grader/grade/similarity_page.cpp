@@ -25,7 +25,7 @@ constexpr const char* method =
     "fingerprints; a line of code has about two.";
 
 constexpr const char* similarity_style = R"(
-nav + .note, nav ~ .note { margin-top: 1.6rem; }
+.note { margin-top: 1.6rem; }
 .pair { margin: .6rem 0; border-top: 1px solid var(--rule); padding-top: .6rem; }
 .pair summary { color: var(--ink); font-size: 1rem; overflow-wrap: anywhere; }
 .sides { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: .5rem 1rem;
