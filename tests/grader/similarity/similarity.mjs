@@ -117,11 +117,12 @@ function compare(lab, submissions) {
   entries.forEach((first, i) => entries.slice(i + 1).forEach((second) => {
     const pair = index.getPair(first, second);
     pairs.push({ first: first.path, second: second.path, overlap: pair.overlap, longest: pair.longest,
-      similarity: pair.overlap / (own.get(first) + own.get(second)), pair });
+      similarity: pair.overlap / (own.get(first) + own.get(second)), files: [first, second] });
   }));
   pairs.sort((a, b) => b.similarity - a.similarity || b.longest - a.longest || b.overlap - a.overlap);
   return { folder: lab.folder, compared: entries.map((file) => file.path), left_out,
-    pairs: pairs.map(({ pair, ...row }, i) => i < limits.shown ? { ...row, fragments: fragmentsOf(pair) } : row) };
+    pairs: pairs.map(({ files: two, ...row }, i) =>
+      i < limits.shown ? { ...row, fragments: fragmentsOf(index.getPair(...two)) } : row) };
 }
 
 const { labs, submissions } = JSON.parse(fs.readFileSync(path.join(work, "task.json"), "utf8"));
