@@ -43,9 +43,10 @@ void build_what_comes_next(Course& course, const LabFolder& lab);
 
 /// Returns the value behind words[i] and moves i there. Throws Error that names the verb's help.
 std::string value_behind(const Words& words, std::size_t& i, const std::string& verb);
-/// Installs Marp and what else slides/package.json names into build/slides, in the versions of
-/// package-lock.json.
-void install_marp(const std::filesystem::path& root);
+/// Installs what package.json in the tree's folder `from` names into the tree's folder `to`, in the
+/// versions of package-lock.json, unless it is there; `what` says what that is.
+void install_packages(const Tree& tree, const std::string& from, const std::string& to,
+                      const std::string& what);
 /// Throws Error about an option that the verb does not have.
 [[noreturn]] void unknown(const std::string& verb, const std::string& word);
 

@@ -18,8 +18,8 @@ static int site(Course& course, const Words& words) {
     if (words[i] != "-o") unknown("site", words[i]);
     out = std::filesystem::absolute(value_behind(words, i, "site"));
   }
-  tree.need({"node", "npm", "site"});
-  install_marp(tree.root);
+  tree.need({"node", "site"});
+  install_packages(tree, "slides", "build/slides", "Marp");
   course.building.build(list_of({"carlo_site_native", "carlo_slide_plot", "carlo_render"}));
   throw HandOver{
       list_of({"node", tree.root / "slides/site/site.mjs", course.building.folder() / "bin", out})};

@@ -1,7 +1,6 @@
 // The verb slides: the lecture, made by Marp (slides/tool).
 
 #include "course/verbs/course.h"
-#include "support/atomic_file.h"
 
 #include <fmt/core.h>
 
@@ -49,10 +48,6 @@ SlidesWishes slides_wishes(const Words& words) {
   return wishes;
 }
 
-std::string text_of(const fs::path& file) {
-  return fs::exists(file) ? read_file(file) : "";
-}
-
 /// Returns the programs that draw the decks' figures.
 Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes& wishes) {
   Words command = tool;
@@ -64,27 +59,6 @@ Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes&
 }
 
 }  // namespace
-
-void install_marp(const fs::path& root) {
-  const fs::path folder = root / "build/slides", lock = root / "slides/package-lock.json",
-                 installed = folder / "node_modules/.installed";
-  const std::string wanted = read_file(lock);
-  if (text_of(installed) == wanted) return;
-  say({"carlo: installing Marp ...\n"});
-  fs::create_directories(folder);
-  for (const char* name : {"package.json", "package-lock.json"})
-    fs::copy_file(root / "slides" / name, folder / name, fs::copy_options::overwrite_existing);
-  std::string said;
-  const int code =
-      run_gathering(list_of({"bash", "-c", R"(cd "$0" && exec "$@")", folder, "npm", "ci",
-                             "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"}),
-                    {}, said);
-  if (code != 0) {
-    say({said});
-    fail({"npm could not install Marp"});
-  }
-  write_file(installed, wanted);
-}
 
 static int slides(Course& course, const Words& words) {
   const SlidesWishes wishes = slides_wishes(words);
@@ -102,10 +76,7 @@ static int slides(Course& course, const Words& words) {
   if (!programs.empty()) course.building.build(programs);
   const bool decks = is_one_of(wishes.mode, {"pdf", "html", "watch"});
   if (is_one_of(wishes.mode, {"pdf", "pictures"})) tree.need({"chromium"});
-  if (decks) {
-    tree.need({"npm"});
-    install_marp(tree.root);
-  }
+  if (decks) install_packages(tree, "slides", "build/slides", "Marp");
   throw HandOver{(command += {wishes.mode, bin}) += wishes.decks};
 }
 

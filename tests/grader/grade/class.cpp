@@ -2,10 +2,12 @@
 
 #include "grader/grade/outputs.h"
 #include "grader/judge/guardian.h"
+#include "support/atomic_file.h"
 #include "support/error.h"
 #include "support/wall_clock.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,6 +60,20 @@ int grade_one(const Course& course, const Source& source, const fs::path& out) {
 /// The work of one child that only reads.
 int look_at(const Course& course, const Source& source, const fs::path& out) {
   return has_marks(course, source, take_in(source, course.labs), out) ? there_already : not_there;
+}
+
+/// The same for the texts that are compared. What is no UTF-8 is replaced.
+int write_text(const Course& course, const Source& source, const fs::path& to) {
+  const Intake intake = take_in(source, course.labs);
+  nlohmann::json text;
+  for (const CourseLab& lab : course.labs) {
+    const auto found = intake.labs.find(lab.lab.number);
+    const LabFiles files = found == intake.labs.end() ? LabFiles{} : found->second;
+    text[lab.folder] = {{"files", files.files}, {"refused", !files.problems.empty()}};
+  }
+  write_file(to / ("of_" + source.name + ".json"),
+             text.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  return graded;
 }
 
 using Work = int (*)(const Course&, const Source&, const fs::path&);
@@ -198,6 +214,12 @@ std::vector<std::optional<Record>> survey_class(const Course& course,
              if (records[i]) records[i]->source = sources[i].handed_in();
            });
   return records;
+}
+
+void write_texts(const Course& course, const std::vector<Source>& sources, const fs::path& to,
+                 int workers) {
+  Round(write_text, course, sources, to)
+      .run(all_of(sources), static_cast<std::size_t>(workers), [](std::size_t, int, double) {});
 }
 
 }  // namespace carlo::grader

@@ -31,4 +31,9 @@ std::vector<std::optional<Record>> survey_class(const Course& course,
                                                 const std::vector<Source>& sources,
                                                 const std::filesystem::path& out, int workers);
 
+/// Writes the exercise files of each submission to `to`/of_NAME.json, as similarity.mjs takes them;
+/// none for one that cannot be read.
+void write_texts(const Course& course, const std::vector<Source>& sources,
+                 const std::filesystem::path& to, int workers);
+
 }  // namespace carlo::grader

@@ -189,8 +189,9 @@ std::string matrix(const std::vector<Record>& records, bool names) {
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Students and "
       "exercises\"><table class=\"class-matrix\">\n" +
       header_row(records) + "<tbody>\n";
-  for (std::size_t i = 0; i < records.size(); ++i)
-    html += student_row(records[i], names ? records[i].name : fmt::format("student {}", i + 1));
+  const std::map<std::string, std::string> shown = shown_names(records, names);
+  for (const Record& record : records)
+    html += student_row(record, shown.at(record.name));
   return html + "</tbody></table></div>\n";
 }
 
@@ -229,6 +230,14 @@ constexpr const char* follow_on_note =
     "not take its place.";
 
 }  // namespace
+
+std::map<std::string, std::string> shown_names(std::vector<Record> records, bool names) {
+  rank(records);
+  std::map<std::string, std::string> shown;
+  for (const Record& record : records)
+    shown[record.name] = names ? record.name : fmt::format("student {}", shown.size() + 1);
+  return shown;
+}
 
 Page class_page(std::vector<Record> records, bool names) {
   rank(records);

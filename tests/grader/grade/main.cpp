@@ -5,9 +5,11 @@
 #include "course/slurm/array_job.h"
 #include "course/slurm/folder_lock.h"
 #include "grader/grade/class.h"
+#include "grader/grade/class_page.h"
 #include "grader/grade/machine.h"
 #include "grader/grade/on_cluster.h"
 #include "grader/grade/settings.h"
+#include "grader/grade/similarity.h"
 #include "grader/grade/summary.h"
 #include "support/error.h"
 #include "support/progress.h"
@@ -34,7 +36,7 @@ struct Options {
   std::vector<int> labs;
   int workers = 0;
   double deadline = 10;
-  bool one = false, no_names = false, check_machine = false;
+  bool one = false, no_names = false, similarity = false, check_machine = false;
   bool slurm = false, no_wait = false;
   int tasks = 0;
   std::string time, partition, task;
@@ -50,6 +52,9 @@ void add_options(CommandLine& app, Options& options) {
   app.option("--labs", options.labs, "only these labs, such as 1,2").list(',', false);
   app.flag("--one", options.one, "each PATH is one submission, whatever it looks like");
   app.flag("--no-names", options.no_names, "students are numbered in class.html");
+  app.flag("--similarity", options.similarity,
+           "also writes similarity.html and .csv: which submissions share more than others do; "
+           "installs Dolos (npm, 55 MB) the first time");
   app.flag("--check-machine", options.check_machine,
            "grade nothing: which sandbox works here, what it lacks, how many jobs are good");
   app.option("--secret-file", options.secret_file,
@@ -110,14 +115,31 @@ std::vector<Record> grade_here(const Course& course, const std::vector<Source>& 
   return grade_class(course, sources, options.out, workers, tell);
 }
 
+/// Writes what is about the whole class. Marks are kept if comparing fails.
+int finish(const Course& course, const std::vector<Record>& records, const Submissions& submissions,
+           const Options& options) {
+  write_class(course.labs, records, options.out, !options.no_names);
+  int code = 0;
+  if (options.similarity) {
+    try {
+      compare_class(course, submissions.sources, shown_names(records, !options.no_names),
+                    !options.no_names, options.out, std::max(options.workers, 1));
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "carlo: error: {}; all marks are kept\n", error.what());
+      code = 1;
+    }
+  }
+  check_class(records, submissions);
+  return code;
+}
+
 int run_here(const Options& options, const Settings& settings, const std::vector<CourseLab>& labs,
              const Submissions& submissions) {
   const auto lock = slurm::FolderLock::take(settings.out, slurm::FolderLock::Use::alone);
   if (!lock) throw Error("{}: another grader is at work there", options.out);
   const CleanTree clean(settings.tree, settings.build, labs);
   const Course course = course_of(settings, labs, clean, sandbox_of(settings, clean));
-  return finish_class(labs, grade_here(course, submissions.sources, options), submissions,
-                      options.out, !options.no_names);
+  return finish(course, grade_here(course, submissions.sources, options), submissions, options);
 }
 
 int run_on_cluster(const Options& options, const Settings& settings,
@@ -134,8 +156,7 @@ int run_on_cluster(const Options& options, const Settings& settings,
   const ClusterOptions asked{options.tasks, options.time, options.partition,
                              std::max(options.workers, 1), !options.no_wait};
   const auto graded = grade_on_cluster(course, settings, submissions.sources, asked);
-  return graded ? finish_class(labs, graded->records, submissions, options.out, !options.no_names)
-                : 0;
+  return graded ? finish(course, graded->records, submissions, options) : 0;
 }
 
 /// Rejects options that contradict each other or lack what they need.
@@ -163,6 +184,10 @@ int run(const Options& options) {
   const Submissions submissions =
       find_submissions({options.paths.begin(), options.paths.end()}, labs, options.one);
   refuse_among(submissions.sources, options);
+  if (options.similarity) {
+    if (submissions.sources.size() < 2) throw Error("--similarity takes more than one submission");
+    need_similarity(settings.tree);
+  }
   fs::create_directories(options.out);
   settings.out = fs::canonical(options.out);
   if (!options.secret_file.empty()) settings.secret_file = fs::absolute(options.secret_file);

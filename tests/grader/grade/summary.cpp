@@ -60,6 +60,11 @@ std::size_t tell_left_out(const std::vector<std::string>& files) {
   return files.size();
 }
 
+auto unfinished(const std::vector<Record>& records) {
+  return std::count_if(records.begin(), records.end(),
+                       [](const Record& record) { return !record.complete(); });
+}
+
 }  // namespace
 
 std::string line_of(const Finished& finished) {
@@ -71,20 +76,22 @@ std::string line_of(const Finished& finished) {
                      status);
 }
 
-int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
-                 const Submissions& submissions, const fs::path& out, bool names) {
+void write_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
+                 const fs::path& out, bool names) {
   write_file(out / "class.csv", class_csv(records));
   write_file(out / "timing.csv", timing_csv(records));
   const bool page = records.size() > 1;
   if (page) class_page(records, names).write(out / "class.html");
-  const auto failures = std::count_if(records.begin(), records.end(),
-                                      [](const Record& record) { return !record.complete(); });
   fmt::print("{} submissions, {} without all marks; compiling and judging took\n", records.size(),
-             failures);
+             unfinished(records));
   for (const CourseLab& lab : labs)
     fmt::print("{}", costs(records, lab));
   fmt::print("marks: {}\n", (out / "class.csv").string());
   if (page) fmt::print("what the class did not understand: {}\n", (out / "class.html").string());
+}
+
+void check_class(const std::vector<Record>& records, const Submissions& submissions) {
+  const auto failures = unfinished(records);
   const std::size_t renamed = tell_renamed(submissions.sources);
   const std::size_t left_out = tell_left_out(submissions.left_out);
   if (failures == 0 && renamed > 0) {
@@ -98,7 +105,7 @@ int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& 
         "not all that stands beside the submissions is one ({} files): take it away, or make folders",
         left_out);
   }
-  if (failures == 0) return 0;
+  if (failures == 0) return;
   throw Error(
       "{} submissions could not be graded: run the same command again, or see their "
       "report.txt",

@@ -12,9 +12,12 @@ namespace carlo::grader {
 std::string line_of(const Finished& finished);
 
 /// Writes class.csv, timing.csv and, for more than one submission, class.html, and prints
-/// what the class cost and what needs attention. Returns 0. Throws Error if marks are missing, or
-/// if somebody has to check names or files that are not submissions.
-int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
-                 const Submissions& submissions, const std::filesystem::path& out, bool names);
+/// what the class cost.
+void write_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
+                 const std::filesystem::path& out, bool names);
+
+/// Prints what needs attention. Throws Error if marks are missing, or if somebody has to check
+/// names or files that are not submissions.
+void check_class(const std::vector<Record>& records, const Submissions& submissions);
 
 }  // namespace carlo::grader
