@@ -210,7 +210,7 @@ class Writer {
   void flat_light(std::size_t i, const carlo::Shape& shape, double area, Vec3d middle,
                   double reach) {
     light(i, shape, area, area,
-          {.middle = middle, .reach = reach, .strength = area, .plane = {{}}});
+          {.middle = middle, .reach = reach, .strength = area, .plane = LaneLight::Plane{}});
   }
 
   void brighten(const carlo::Rgb& radiance, double per) {
