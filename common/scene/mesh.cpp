@@ -53,20 +53,28 @@ class MeshBuilder {
     if (!file.normals_of.empty()) take_normals(glm::inverseTranspose(glm::dmat3(to_world)));
   }
 
-  Mesh build(bool turned) {
+  /// `mirrored`: whether triangles are turned that have no vertex normals; `flipped`: all, after
+  /// that.
+  Mesh build(bool mirrored, bool flipped) {
     leave_out_degenerate();
     duplicates_ = mark_duplicate_faces(file_, mesh_.positions, left_out_);
     mesh_.triangles.reserve(file_.triangles.size());
     for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
       if (left_out_[i] != 0) continue;
-      const auto turn = [turned](glm::uvec3 t) { return turned ? glm::uvec3(t.x, t.z, t.y) : t; };
-      mesh_.triangles.push_back(turn(file_.triangles[i]));
-      if (!mesh_.normals.empty()) mesh_.normals_of.push_back(turn(normals_of(i)));
+      const glm::uvec3 t = file_.triangles[i];
+      const glm::uvec3 n = mesh_.normals.empty() ? glm::uvec3(Mesh::flat) : normals_of(i);
+      flat_ += n.x == Mesh::flat ? 1 : 0;
+      const bool turned = (n.x == Mesh::flat ? mirrored : points_against(n, t)) != flipped;
+      const auto turn = [turned](glm::uvec3 c) { return turned ? glm::uvec3(c.x, c.z, c.y) : c; };
+      mesh_.triangles.push_back(turn(t));
+      if (!mesh_.normals.empty()) mesh_.normals_of.push_back(turn(n));
     }
     leave_out_unused();
     return std::move(mesh_);
   }
 
+  /// Triangles without vertex normals.
+  std::size_t flat() const { return flat_; }
   std::size_t degenerate() const { return degenerate_; }
   std::size_t duplicates() const { return duplicates_; }
   /// Triangles whose vertex normals have no direction.
@@ -81,6 +89,13 @@ class MeshBuilder {
       const bool has_direction = length > 0 && std::isfinite(length);
       mesh_.normals.push_back(has_direction ? Vec3(there / length) : Vec3(0));
     }
+  }
+
+  bool points_against(glm::uvec3 normals, glm::uvec3 corners) const {
+    const auto at = [&](int k) { return glm::dvec3(mesh_.positions[corners[k]]); };
+    const auto normal = [&](int k) { return glm::dvec3(mesh_.normals[normals[k]]); };
+    const glm::dvec3 wound = glm::cross(at(1) - at(0), at(2) - at(0));
+    return glm::dot(wound, normal(0) + normal(1) + normal(2)) < 0;
   }
 
   glm::uvec3 normals_of(std::size_t triangle) {
@@ -125,20 +140,20 @@ class MeshBuilder {
   const MeshFile& file_;
   Mesh mesh_;
   std::vector<char> left_out_;  ///< of the file's triangles
-  std::size_t degenerate_ = 0, duplicates_ = 0, without_direction_ = 0;
+  std::size_t flat_ = 0, degenerate_ = 0, duplicates_ = 0, without_direction_ = 0;
 };
 
 /// A note if the file's vertex normals suggest that its faces are wound the wrong way around.
 std::optional<std::string> note_on_normals(const MeshFile& file, bool flipped) {
   if (file.faces_against == 0) return std::nullopt;
+  const char* decides = file.normals_of.empty() ? "" : ", and decide which side is outside";
   if (file.faces_against < file.faces_with_normals) {
-    return fmt::format("the vertex normals of {} of {} faces point against their triangles",
-                       file.faces_against, file.faces_with_normals);
+    return fmt::format("the vertex normals of {} of {} faces point against their triangles{}",
+                       file.faces_against, file.faces_with_normals, decides);
   }
-  if (flipped) return std::nullopt;
-  return fmt::format(
-      "the vertex normals of all {} faces point against their triangles: flipNormals?",
-      file.faces_against);
+  if (flipped && file.normals_of.empty()) return std::nullopt;
+  return fmt::format("the vertex normals of all {} faces point against their triangles{}",
+                     file.faces_against, file.normals_of.empty() ? ": flipNormals?" : decides);
 }
 
 }  // namespace
@@ -162,7 +177,7 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   MeshBuilder builder(file, std::move(positions), to_world);
   // A mirrored mesh keeps its outside in 0.6 files; Mitsuba 3 turns it inside out, as a sphere.
   const bool mirrored = mirrors(to_world), kept = shape.dialect() == Dialect::mitsuba06;
-  Mesh mesh = builder.build((mirrored && kept) != flipped);
+  Mesh mesh = builder.build(mirrored && kept, flipped);
   if (mesh.triangles.empty()) {
     fail(shape.at("filename"), "all {} triangles of {} are degenerate (no area)",
          builder.degenerate(), in_quotes(*filename));
@@ -179,7 +194,7 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
     notes.push_back(fmt::format("{}: {} triangles are flat: their vertex normals have no direction",
                                 *filename, builder.without_direction()));
   }
-  if (mirrored) {
+  if (mirrored && builder.flat() > 0) {
     notes.push_back(fmt::format("{}: its toWorld mirrors it; {}", *filename,
                                 kept
                                     ? "its outside stays outside, where Mitsuba turns it inside out"

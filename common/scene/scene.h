@@ -70,8 +70,7 @@ struct Disk {
   float radius;
 };
 
-/// Counter-clockwise triangles. Their outside is where they are counter-clockwise, whatever the
-/// vertex normals say.
+/// Triangles, which are counter-clockwise as seen from outside.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<glm::uvec3> triangles;

@@ -110,6 +110,28 @@ TEST_CASE("each corner keeps its vertex normal", "[scene]") {
   check_normals(mesh_of(scene_test::load_mesh("ply", strip)), 2, there);
 }
 
+TEST_CASE("vertex normals decide which side is outside", "[scene]") {
+  // As Mitsuba 3.9.1 renders it (findings/mitsuba_mirrored_sphere.sh).
+  const auto up = [](const std::string& normal, const std::string& inside) {
+    const Scene scene =
+        load_obj(scene_test::unit_square + "vn " + normal + "\nf 1//1 2//1 3//1 4//1\n", inside);
+    CHECK(scene_test::notes_with(scene, "mirrors") == 0);
+    return scene_test::vector_area(mesh_of(scene)).z;
+  };
+  CHECK(up("0 0 1", "") == 1);
+  CHECK(up("0 0 -1", "") == -1);
+  CHECK(up("1 0 -0.1", "") == -1);
+  CHECK(up("0 0 -1", scene_test::flip_normals) == 1);
+  for (const char* z : {"1", "-1"}) {
+    const std::string mirror =
+        std::string("<transform name=\"toWorld\"><scale x=\"-1\" z=\"") + z + "\"/></transform>";
+    CHECK(up("0 0 1", mirror) == (z[0] == '-' ? -1 : 1));
+  }
+  CHECK(scene_test::notes_with(
+            load_obj(scene_test::unit_square + "vn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\n"),
+            "of all 2 faces point against their triangles, and decide which side is outside") == 1);
+}
+
 TEST_CASE("vertex normals without a direction leave their triangles flat", "[scene]") {
   const Scene scene = load_obj(scene_test::unit_square +
                                "vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\nf 1//2 3//2 4//2\n");
