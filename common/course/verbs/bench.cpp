@@ -2,6 +2,7 @@
 
 #include "course/verbs/course.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -69,12 +70,22 @@ void point_to_llvm() {
   }
 }
 
-[[noreturn]] void bench_peers(Course& course, const Words& words) {
+[[noreturn]] void bench_peers(Course& course, Words words) {
+  const auto conventions = std::find(words.begin(), words.end(), "--conventions");
+  const bool table = conventions != words.end();
+  const std::string program = table ? "carlo_bench_conventions" : "carlo_bench";
+  if (table) words.erase(conventions);
   for (const std::string& word : words)
-    if (asks_for_help(word)) become(course, "carlo_bench", {}, {"--help"});
+    if (asks_for_help(word)) become(course, program, {}, {"--help"});
   const fs::path peers = course.tree.root / "build/peers";
   install_peers(course.tree, peers);
   point_to_llvm();
+  if (table) {
+    become(course, program,
+           list_of({"--python", peers / "bin/python", "--peer-scripts",
+                    course.tree.root / "solutions/renderer/bench/peers"}),
+           words);
+  }
   Words arguments =
       list_of({"--only", "peers", "--peers", peers / "bin/python", "--page", "out/peers.html"});
   bench_page(course, arguments += words);

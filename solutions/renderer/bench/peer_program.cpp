@@ -63,14 +63,11 @@ bool starts(const std::vector<std::string>& command) {
   }
 }
 
-PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
-                    const std::function<void()>& wait) {
+nlohmann::json answer_of(const PeerProgram& peer, const nlohmann::json& task,
+                         const std::function<void()>& wait) {
   fs::create_directories(peer.scratch);
   const fs::path input = peer.scratch / "peer.json";
-  const fs::path output = fs::absolute(peer.scratch / "peer.exr");
-  fs::remove(output);  // an earlier run's image must not count as a result
-  scene["output"] = output.string();
-  carlo::write_file(input, scene.dump() + "\n");
+  carlo::write_file(input, task.dump() + "\n");
   std::vector<std::string> command = peer.command;
   command.push_back(input.string());
   const Said said = run(command, wait);
@@ -78,8 +75,17 @@ PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
   if (said.exit_code != 0 || !lines.answer || !lines.answer->is_object()) {
     throw carlo::Error("{} failed (exit code {}): {}", peer.name, said.exit_code, lines.error);
   }
-  return {carlo::read_exr(output).image, lines.answer->value("seconds", 0.0),
-          lines.answer->value("version", "?")};
+  return *lines.answer;
+}
+
+PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
+                    const std::function<void()>& wait) {
+  const fs::path output = fs::absolute(peer.scratch / "peer.exr");
+  fs::remove(output);  // an earlier run's image must not count as a result
+  scene["output"] = output.string();
+  const nlohmann::json answer = answer_of(peer, scene, wait);
+  return {carlo::read_exr(output).image, answer.value("seconds", 0.0),
+          answer.value("version", "?")};
 }
 
 }  // namespace bench

@@ -28,9 +28,13 @@ struct PeerImage {
 /// True if the command with these arguments can be started and succeeds.
 bool starts(const std::vector<std::string>& command);
 
-/// Renders what peer_scene() describes, with "samples" and "seed". `wait` is called a few times a
-/// second; if it throws, the program is ended. Throws Error when rendering fails, with the
-/// program's last message.
+/// Gives the program a task and returns its answer, the object in its line "carlo: {...}". `wait`
+/// is called a few times a second; if it throws, the program is ended. Throws Error when the
+/// program fails, with its last message.
+nlohmann::json answer_of(const PeerProgram& peer, const nlohmann::json& task,
+                         const std::function<void()>& wait);
+
+/// Renders what peer_scene() describes, with "samples" and "seed", as answer_of() does.
 PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
                     const std::function<void()>& wait);
 

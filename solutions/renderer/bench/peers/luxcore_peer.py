@@ -77,7 +77,7 @@ def scene_of(spec):
     for i, light in enumerate(spec["point_lights"]):
         set_all(properties, f"scene.lights.l{i}", {
             "type": "point", "position": list(light["position"]), "color": list(light["intensity"]),
-            "gain": [1.0] * 3, "power": 0.0, "efficency": 0.0})
+            "gain": [4 * math.pi] * 3, "power": 0.0, "efficency": 0.0})
     if any(spec["environment"]):
         set_all(properties, "scene.lights.environment", {"type": "constantinfinite", "color": list(spec["environment"])})
     scene.Parse(properties)
@@ -86,7 +86,7 @@ def scene_of(spec):
 
 def settings_of(spec):
     """Unbiased except for the cache: no clamping, no filter, no colour corrections, one thread."""
-    depth = spec["max_depth"] - 1 if spec["max_depth"] else 1024
+    depth = spec["max_depth"] or 1024
     properties = pyluxcore.Properties()
     set_all(properties, "film", {
         "width": spec["width"], "height": spec["height"], "filter.type": "NONE",
@@ -97,7 +97,7 @@ def settings_of(spec):
             "sampler.type": "SOBOL", "sampler.sobol.adaptive.strength": 0.0, "native.threads.count": 1,
             "batch.haltspp": [spec["samples"], 0], "path.pathdepth.total": depth,
             "path.pathdepth.diffuse": depth, "path.pathdepth.glossy": depth, "path.pathdepth.specular": depth,
-            "path.clamping.variance.maxvalue": 0.0, "path.maxdepth": depth + 1, "light.maxdepth": depth + 1,
+            "path.clamping.variance.maxvalue": 0.0, "path.maxdepth": depth, "light.maxdepth": depth,
             "scene.epsilon.min": 1e-6, "scene.epsilon.max": 1e-3,
             "path.photongi.caustic.enabled": bool(spec["caustic_cache"]),
             "path.photongi.sampler.type": "METROPOLIS"}.items():
@@ -123,4 +123,5 @@ def main():
     peer.answer(pyluxcore.Version(), seconds)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -141,4 +141,5 @@ def main():
     peer.answer(mi.__version__, seconds)
 
 
-main()
+if __name__ == "__main__":
+    main()
