@@ -49,7 +49,7 @@ TEST_CASE("The vector kernel agrees with the scalar integrator", "[.scalar]") {
   REQUIRE(scenes.size() >= 21);
   for (const auto& [name, full] : scenes) {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
-    const tiles::Estimate& oracle = oracle::of({name, full});
+    const tiles::Estimate oracle = oracle::of({name, full});
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
       const Scene scene = small(full, sampler);
       const tiles::Estimate kernel = estimate(scene, renderer::Kernel::best, 2);

@@ -127,7 +127,7 @@ TEST_CASE("Light paths agree with the scalar integrator", "[.scalar]") {
     const bool pointless =
         (needs(full).mirror || needs(full).dielectric) && !full.lights.points.empty();
     if (pointless) full.lights.points.clear();
-    const tiles::Estimate& oracle = oracle::of({name + (pointless ? " without points" : ""), full});
+    const tiles::Estimate oracle = oracle::of({name + (pointless ? " without points" : ""), full});
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
       Counts counts;
       const Spread both = spread(small(full, sampler), counts);
