@@ -196,7 +196,9 @@ void name_all(std::vector<Source>& sources) {
     order.push_back(&source);
   std::stable_sort(order.begin(), order.end(),
                    [](const Source* a, const Source* b) { return claim(*a) < claim(*b); });
-  std::vector<std::string> taken{"class.csv", "class.html", "timing.csv", "secret"};
+  // The files of the class, which stand beside the submissions' folders.
+  std::vector<std::string> taken{"class.csv",       "class.html",     "secret",
+                                 "similarity.html", "similarity.csv", "timing.csv"};
   for (Source* source : order) {
     std::vector<std::string> none;
     const std::string plain = folder_name(source->name, none);

@@ -69,6 +69,19 @@ TEST_CASE("names of submissions are harmless, and no two are the same", "[intake
   CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
 }
 
+TEST_CASE("no submission stands in the place of a file of the class", "[intake]") {
+  for (const char* name :
+       {"class.csv", "class.html", "secret", "similarity.csv", "similarity.html", "timing.csv"}) {
+    const ScratchFolder folder;
+    put(folder.path() / name / "integration.cpp", "a");
+    put(folder.path() / "alice" / "integration.cpp", "b");
+    const std::vector<Source> found = find_submissions({folder.path()}, demo_labs(), false).sources;
+    REQUIRE(found.size() == 2);
+    CHECK(found[1].name == std::string(name) + "-2");
+    CHECK(found[1].renamed);
+  }
+}
+
 TEST_CASE("a name is whose own it is, and others are told of", "[intake]") {
   const ScratchFolder folder;
   for (const char* name : {"a b", "a-b", "a_b", "alice"})
