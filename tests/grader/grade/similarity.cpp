@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace carlo::grader {
@@ -81,7 +82,7 @@ SimilarPair pair_from(const json& entry) {
 /// The value below which a share of the pairs lies, of pairs with the most similar one first.
 double quantile(const std::vector<SimilarPair>& pairs, double share) {
   const auto last = static_cast<double>(pairs.size() - 1);
-  return pairs[static_cast<std::size_t>((1 - share) * last + 0.5)].similarity;
+  return pairs[static_cast<std::size_t>(std::lround((1 - share) * last))].similarity;
 }
 
 }  // namespace
