@@ -139,7 +139,14 @@ TEST_CASE("An EXR of many parts, tiles or resolutions is read, or refused in one
   REQUIRE(parts.notes.size() == 1);
   CHECK(parts.notes[0] == "parts_z_rgb.exr: part 2 of its 2 is read, the first with R, G, B");
   CHECK_THAT(error_of("deep.exr"), ContainsSubstring("its pixels are deep"));
-  CHECK_THAT(error_of("yca.exr"), ContainsSubstring("Subsampled channels are not supported"));
+  // Luminance and chroma of (1, .5, .25), in halves: OpenImageIO 2.5.18 makes RGB of them, 2.4.7
+  // refuses.
+  if (const std::string yca = error_of("yca.exr"); yca == "none") {
+    for (const Rgb& pixel : read_exr(images / "yca.exr").image.pixels)
+      CHECK(glm::length(pixel - Rgb(1, .5f, .25f)) < 0.01f);
+  } else {
+    CHECK_THAT(yca, ContainsSubstring("Subsampled channels are not supported"));
+  }
   CHECK_THAT(error_of("sub.exr"), ContainsSubstring("Subsampled channels are not supported"));
   CHECK_THAT(error_of("y.exr"), ContainsSubstring("it has no channels R, G, B, but Y"));
 }
