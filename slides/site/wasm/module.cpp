@@ -43,5 +43,8 @@ TrianglePoint triangle_point(const Mesh&, std::uint32_t, float, float) {
 TriangleHit triangle_hit(const Mesh&, std::uint32_t, Vec3, Vec3, const TriangleHit&) {
   throw Error("the site has no triangles");
 }
+Vec3 shading_normal(const Mesh&, std::uint32_t, float, float, Vec3, Vec3) {
+  throw Error("the site has no triangles");
+}
 
 }  // namespace carlo
