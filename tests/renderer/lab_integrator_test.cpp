@@ -10,7 +10,9 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace {
 
@@ -92,4 +94,24 @@ TEST_CASE("Lab 08 refuses what its tracers would get wrong") {
   CHECK_THROWS_AS(lab08::make_lab_integrator(scene, {Method::iterative}), Error);
   other.lights.envmap = Envmap{Image(2, 1)};
   CHECK_THROWS_AS(lab08::make_lab_integrator(other, {Method::iterative}), Error);
+}
+
+TEST_CASE("Lab 08 shades a mesh by its triangles, whatever its vertex normals, and says so") {
+  // An open sheet whose vertex normals are tilted, under a constant sky: the albedo.
+  Scene scene;
+  scene.width = scene.height = 4;
+  scene.sampler = SamplerKind::independent;
+  scene.camera = look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 1);
+  scene.lights.environment = Rgb(1);
+  scene.materials = {{Diffuse{Rgb(0.8f)}, true}};
+  Mesh mesh{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  for (const auto& normals : {std::vector<Vec3>{}, {glm::normalize(Vec3(1, 0, 1))}}) {
+    mesh.normals = normals;
+    if (!normals.empty()) mesh.normals_of = {{0, 0, 0}};
+    scene.shapes = {{mesh}};
+    const MeanRadiance mean = mean_radiance(render_lab(scene, Method::iterative, 4).film);
+    CHECK(std::abs(mean.value[0] - 0.8) <= 4 * mean.standard_error[0]);
+    const std::string name = lab08::make_lab_integrator(scene, {Method::iterative, 4, spp})->name();
+    CHECK((name.find("without vertex normals") != std::string::npos) == !normals.empty());
+  }
 }

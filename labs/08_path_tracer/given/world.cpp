@@ -105,7 +105,7 @@ std::optional<Surface> World::intersect(const Ray& ray) const {
   const Material* material = &materials_[shape.material];
   const bool seen = front || scene_.materials[shape.material].two_sided || passes_light(*material);
   return Surface{hit.p,
-                 front ? hit.ns : -hit.ns,
+                 front ? hit.n : -hit.n,
                  -ray.d,
                  front ? shape.radiance : Rgb(0),
                  seen ? material : &black,

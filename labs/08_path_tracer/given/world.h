@@ -25,7 +25,7 @@ using Material = std::variant<carlo::Phong, carlo::Mirror, carlo::Dielectric>;
 /// The point where a ray met a surface, as seen by the ray.
 struct Surface {
   Vec3 p;                    ///< the point
-  Vec3 n;                    ///< unit normal on wo's side
+  Vec3 n;                    ///< unit normal on wo's side; of a mesh, its triangle's
   Vec3 wo;                   ///< unit vector towards the ray's origin
   Rgb Le{0};                 ///< radiance emitted towards wo
   const Material* material;  ///< black for the back of a one-sided surface

@@ -5,6 +5,7 @@
 #include "path_tracer.h"
 #include "random/hash.h"
 #include "scene/match.h"
+#include "scene/needs.h"
 #include "scene/sampler_kind.h"
 #include "support/error.h"
 
@@ -49,6 +50,11 @@ class LabIntegrator final : public carlo::Integrator {
       : world_(checked(scene, options.method)), options_(options) {}
 
   std::string name() const override {
+    const bool flat = carlo::needs(world_.scene()).vertex_normals;
+    return tracer() + (flat ? ", without vertex normals" : "");
+  }
+
+  std::string tracer() const {
     switch (options_.method) {
       case Method::iterative:
         return "path_radiance of Lab 8.8";
