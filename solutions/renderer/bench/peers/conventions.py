@@ -10,7 +10,6 @@ of independent runs and the version.
 
 import json
 import math
-import os
 import sys
 
 import numpy
@@ -152,12 +151,10 @@ def main():
     print("\ncarlo: " + json.dumps({"version": version, "values": values}), flush=True)
 
 
-# Blender as a module may hang on its own threads when Python ends, especially after an error.
+def clean_up():
+    if "cycles_peer" in sys.modules:
+        sys.modules["cycles_peer"].remove_temporary_files()
+
+
 if __name__ == "__main__":
-    code = 3
-    try:
-        main()
-        code = 0
-    except Exception as error:
-        print(f"Error: {error!r}", flush=True)
-    os._exit(code)
+    peer.run_and_end(main, clean_up)

@@ -7,7 +7,6 @@ The JSON file is what peer_scene.cpp writes. The image goes to the EXR file it n
 """
 
 import json
-import os
 import shutil
 import sys
 import time
@@ -15,6 +14,8 @@ import time
 import bpy
 import addon_utils  # available once bpy is loaded
 from mathutils import Matrix
+
+import peer
 
 
 def add_material(spec):
@@ -151,13 +152,9 @@ def main():
     print("carlo: " + json.dumps(answer), flush=True)
 
 
-# Blender as a module may hang on its own threads when Python ends, especially after an error.
-if __name__ == "__main__":
-    code = 3
-    try:
-        main()
-        code = 0
-    except Exception as error:
-        print(f"Error: {error!r}", flush=True)
+def remove_temporary_files():
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
-    os._exit(code)
+
+
+if __name__ == "__main__":
+    peer.run_and_end(main, remove_temporary_files)

@@ -24,6 +24,19 @@ def answer(version, seconds):
     os._exit(0)
 
 
+def run_and_end(main, clean_up=lambda: None):
+    """Runs the program and ends it at once, also after an error: Blender as a module may hang on its own
+    threads when Python ends."""
+    code = 3
+    try:
+        main()
+        code = 0
+    except Exception as error:
+        print(f"Error: {error!r}", flush=True)
+    clean_up()
+    os._exit(code)
+
+
 def processor_seconds(render):
     """The processor seconds of all threads of this process."""
     start = time.process_time()
