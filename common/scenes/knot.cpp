@@ -1,5 +1,6 @@
 #include "scenes/knot.h"
 
+#include "numeric/vec.h"
 #include "support/atomic_file.h"
 
 #include <fmt/core.h>
@@ -15,21 +16,8 @@
 namespace carlo {
 namespace {
 
-using Vec = std::array<double, 3>;
+using Vec = glm::dvec3;
 constexpr double turn = 2 * std::numbers::pi;
-
-Vec minus(const Vec& a, const Vec& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vec normalized(const Vec& v) {
-  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 /// The tube's axis: it goes twice around the z axis and three times around a ring.
 Vec axis(double t) {
@@ -42,20 +30,19 @@ Vec axis(double t) {
 Vec surface(double t, double s) {
   constexpr double step = 1e-4;
   const Vec centre = axis(t);
-  const Vec along = normalized(minus(axis(t + step), axis(t - step)));
-  const Vec side = normalized(cross(along, centre));
-  const Vec up = cross(side, along);
+  const Vec along = glm::normalize(axis(t + step) - axis(t - step));
+  const Vec side = glm::normalize(glm::cross(along, centre));
+  const Vec up = glm::cross(side, along);
   const double r = 0.23 + 0.02 * std::cos(turn * (8 * s + 20 * t));
   const double a = r * std::cos(turn * s), b = r * std::sin(turn * s);
-  return {centre[0] + a * side[0] + b * up[0], centre[1] + a * side[1] + b * up[1],
-          centre[2] + a * side[2] + b * up[2]};
+  return centre + a * side + b * up;
 }
 
 /// The unit normal, outwards.
 Vec normal(double t, double s) {
   constexpr double step = 1e-4;
-  return normalized(cross(minus(surface(t, s + step), surface(t, s - step)),
-                          minus(surface(t + step, s), surface(t - step, s))));
+  return glm::normalize(glm::cross(surface(t, s + step) - surface(t, s - step),
+                                   surface(t + step, s) - surface(t - step, s)));
 }
 
 template <class T>
@@ -66,8 +53,8 @@ void append(std::string& bytes, T value) {
 
 /// In steps far above the rounding of sin and cos, so that every machine writes the same file.
 void append(std::string& bytes, const Vec& v) {
-  for (const double x : v)
-    append(bytes, static_cast<float>(std::round(x * 0x1p20) * 0x1p-20));
+  for (int i = 0; i < 3; ++i)
+    append(bytes, static_cast<float>(std::round(v[i] * 0x1p20) * 0x1p-20));
 }
 
 void append(std::string& bytes, const std::array<int, 3>& triangle) {
