@@ -41,7 +41,7 @@ json given(const fs::path& tree, const CourseLab& lab) {
 }
 
 void write_task(const Course& course, const std::vector<Source>& sources, const fs::path& work) {
-  json task{{"labs", json::array()}, {"submissions", json::array()}};
+  json task{{"labs", json::array()}, {"submissions", json::array()}, {"most_pairs", most_pairs}};
   for (const CourseLab& lab : course.labs)
     task["labs"].push_back({{"folder", lab.folder}, {"given", given(course.tree, lab)}});
   for (const Source& source : sources)

@@ -50,6 +50,7 @@ struct Usual {
   double threshold = 0;
 };
 
+constexpr std::size_t most_pairs = 50;    ///< of a lab on the page, with their fragments
 constexpr std::size_t fewest_pairs = 15;  ///< from which quartiles say something
 constexpr double least_threshold = 0.3;   ///< what short exercises may share by chance
 

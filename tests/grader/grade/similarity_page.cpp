@@ -10,7 +10,6 @@ namespace carlo::grader {
 namespace {
 
 using Shown = std::map<std::string, std::string>;
-constexpr std::size_t most_pairs = 50;  // with fragments: similarity.mjs has the same limit
 
 constexpr const char* warning =
     "These figures prove nothing. Short exercises have few right solutions, and handout and contract "

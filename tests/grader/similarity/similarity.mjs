@@ -18,7 +18,7 @@ const cpp = await Language.load(require.resolve("tree-sitter-cpp/tree-sitter-cpp
 
 const gram = 16, window = 6; // a match of gram + window - 1 tokens is always found
 const limits = { characters: 200_000, tokens: 20_000, milliseconds: 5000, own: 30, repeats: 50_000,
-  shown: 50, fragments: 12, lines: 60 };
+  fragments: 12, lines: 60 };
 
 const spent = () => process.cpuUsage().user / 1000;
 
@@ -122,9 +122,9 @@ function compare(lab, submissions) {
   pairs.sort((a, b) => b.similarity - a.similarity || b.longest - a.longest || b.overlap - a.overlap);
   return { folder: lab.folder, compared: entries.map((file) => file.path), left_out,
     pairs: pairs.map(({ files: two, ...row }, i) =>
-      i < limits.shown ? { ...row, fragments: fragmentsOf(index.getPair(...two)) } : row) };
+      i < most_pairs ? { ...row, fragments: fragmentsOf(index.getPair(...two)) } : row) };
 }
 
-const { labs, submissions } = JSON.parse(fs.readFileSync(path.join(work, "task.json"), "utf8"));
+const { labs, submissions, most_pairs } = JSON.parse(fs.readFileSync(path.join(work, "task.json"), "utf8"));
 const result = { gram, window, labs: labs.map((lab) => compare(lab, submissions)) };
 fs.writeFileSync(path.join(work, "result.json"), JSON.stringify(result));
