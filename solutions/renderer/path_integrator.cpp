@@ -36,8 +36,8 @@ constexpr float roulette_threshold = 0.25f;
 
 /// Sampler dimensions: two for the film, then a fixed number for each vertex of the path.
 constexpr std::uint32_t film_dimensions = 2, vertex_dimensions = 8;
-/// Vertex normals let rays circle in glass for ever, where its triangles would let them out: after
-/// this many vertices (of a ball of 528 triangles, one path in a thousand), the triangles count.
+/// Vertex normals let some rays circle in glass for ever, where its triangles would let them out:
+/// after this many vertices the triangles count.
 constexpr std::uint32_t smooth_glass_dimensions = film_dimensions + 64 * vertex_dimensions;
 /// Within a vertex: light choice and point (3), lobe and direction (3), roulette (1).
 constexpr std::uint32_t light_dimension = 0, lobe_dimension = 3, roulette_dimension = 6;
