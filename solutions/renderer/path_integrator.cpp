@@ -289,20 +289,30 @@ class PathIntegrator final : public carlo::Integrator {
 
 }  // namespace
 
-bool light_paths_suit(const Scene& scene) {
+bool vector_kernel_suits(const Scene& scene) {
   return lanes_suit_machine() && LaneScene::suits(carlo::needs(scene), scene);
+}
+
+bool light_paths_suit(const Scene& scene) {
+  return vector_kernel_suits(scene) && !carlo::needs(scene).vertex_normals;
 }
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
-  if (options.kernel == Kernel::best && light_paths_suit(scene)) {
+  const bool bidirectional = options.technique == Technique::bidirectional;
+  if (bidirectional && carlo::needs(scene).vertex_normals) {
+    throw carlo::Error(
+        "light paths do not know vertex normals, which a mesh of this scene has; render with "
+        "--technique path, or set its faceNormals to true");
+  }
+  if (options.kernel == Kernel::best && vector_kernel_suits(scene)) {
     LaneChoices choices = options.choices;
-    if (options.technique == Technique::bidirectional) choices.light_paths = 1;
+    if (bidirectional) choices.light_paths = 1;
     std::optional<std::uint32_t> pilot_spp;
     if (options.technique == Technique::automatic) pilot_spp = options.spp;
     return make_lane_integrator(scene, options.seed, choices, pilot_spp);
   }
-  if (options.technique == Technique::bidirectional) {
+  if (bidirectional) {
     throw carlo::Error(
         "only the vector kernel traces light paths, and it does not suit this scene");
   }

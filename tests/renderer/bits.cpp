@@ -172,11 +172,13 @@ int main(int argc, char** argv) {
     if (const auto code = app.parse(argc, argv)) return *code;
     Comparison comparison(make ? std::nullopt : std::optional(read(path)));
     std::vector<lane_scenes::Named> scenes = lane_scenes::all();
-    scenes.push_back({"knot", lab_scenes::load("knot")});  // for the scalar kernel alone
+    scenes.push_back({"knot", lab_scenes::load("knot")});
     for (auto& [name, scene] : scenes) {
       resize(scene, width, height);
       for (const Way& way : ways()) {
-        if (way.vector_kernel && !renderer::light_paths_suit(scene)) continue;
+        if (way.options.technique == renderer::Technique::bidirectional &&
+            !renderer::light_paths_suit(scene))
+          continue;
         if (!depends_on_embree(name, way)) comparison.look_at(name, scene, way);
       }
     }

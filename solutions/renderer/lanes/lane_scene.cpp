@@ -300,7 +300,7 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   others.triangle_lights = others.point_lights = 0;
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
   others.one_sided = others.two_sided = false;
-  others.environment = others.envmap = others.depth_limit = false;
+  others.environment = others.envmap = others.depth_limit = others.vertex_normals = false;
   return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
          needs.sdfs + needs.meshes <= few && emitters(scene) <= most &&
          scene.materials.size() <= most_materials;
@@ -363,6 +363,7 @@ LaneScene::LaneScene(const carlo::Scene& scene)
   for (const auto& [shape, mesh] : sorted.meshes) {
     write.mesh(*shape, *mesh);
     traced.push_back(mesh);
+    smooth = smooth || !mesh->normals_of.empty();
   }
   if (!traced.empty()) meshes = std::make_unique<carlo::MeshTracer>(traced);
   write.sky();

@@ -124,6 +124,7 @@ struct LaneScene {
   MaterialColumn<std::uint32_t> specular{};  ///< mirrors and glass
   MaterialColumn<float> ior{};
   bool any_specular = false;
+  bool smooth = false;  ///< some meshes have vertex normals
 
   std::uint32_t lights = 0;
   std::uint32_t first_point = 0;  ///< among the lights: point lights are no surfaces,
@@ -158,8 +159,9 @@ struct LaneScene {
   bool point_lights() const { return lights > first_point; }
   /// True if some lights are no surfaces.
   bool other_lights() const { return point_lights() || sky; }
-  /// True if there are lights where paths may start.
-  bool has_path_starts() const { return lights > (sky ? 1u : 0u); }
+  /// True if there are lights where paths may start. Light paths know no vertex normals, which
+  /// make a BRDF and its reverse differ.
+  bool has_path_starts() const { return !smooth && lights > (sky ? 1u : 0u); }
   bool spheres() const { return first_sdf > first_sphere; }
   /// True if some surfaces are tested one by one, after all others.
   bool searched() const { return !sdfs.empty() || meshes != nullptr; }

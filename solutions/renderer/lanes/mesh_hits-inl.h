@@ -48,29 +48,38 @@ inline HWY_NOINLINE void intersect_meshes(const LaneScene& s, const V3& o, const
 struct PointColumns {
   template <class T>
   using Column = std::array<T, lanes>;
-  alignas(64) Column<float> px, py, pz, ex, ey, ez, nx, ny, nz;
+  alignas(64) Column<float> px, py, pz, ex, ey, ez, nx, ny, nz, sx, sy, sz;
 
   void set(std::size_t i, const carlo::TrianglePoint& point) {
     px[i] = point.p.x, py[i] = point.p.y, pz[i] = point.p.z;
     ex[i] = point.error.x, ey[i] = point.error.y, ez[i] = point.error.z;
     nx[i] = point.n.x, ny[i] = point.n.y, nz[i] = point.n.z;
   }
+  void set_shading(std::size_t i, carlo::Vec3 n) { sx[i] = n.x, sy[i] = n.y, sz[i] = n.z; }
   HWY_INLINE V3 at(const Column<float>& x, const Column<float>& y, const Column<float>& z) const {
     return {hn::Load(d_, x.data()), hn::Load(d_, y.data()), hn::Load(d_, z.data())};
   }
 };
 
-/// Points, normals and rounding errors for the lanes whose surface is a mesh.
+/// Points, normals, normals to shade with and rounding errors for the lanes whose surface is a
+/// mesh.
 inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRays& rays, M here,
-                                         V3& p, V3& n, V3& error) {
+                                         V3& p, V3& n, V3& ns, V3& error) {
   PointColumns points{};
   for (std::uint32_t left = bits(here); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    points.set(i, carlo::triangle_point(s.meshes->mesh(rays.mesh[i]), rays.triangle[i], rays.u[i],
-                                        rays.v[i]));
+    const carlo::Mesh& mesh = s.meshes->mesh(rays.mesh[i]);
+    const carlo::TrianglePoint point =
+        carlo::triangle_point(mesh, rays.triangle[i], rays.u[i], rays.v[i]);
+    points.set(i, point);
+    if (s.smooth) {
+      points.set_shading(i, carlo::shading_normal(mesh, rays.triangle[i], rays.u[i], rays.v[i],
+                                                  point.n, {rays.dx[i], rays.dy[i], rays.dz[i]}));
+    }
   }
   p = select(here, points.at(points.px, points.py, points.pz), p);
   n = select(here, points.at(points.nx, points.ny, points.nz), n);
+  if (s.smooth) ns = select(here, points.at(points.sx, points.sy, points.sz), n);
   error = select(here, points.at(points.ex, points.ey, points.ez), error);
 }
 

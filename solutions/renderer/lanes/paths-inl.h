@@ -75,8 +75,8 @@ class Walk : Steps<Needs> {
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
       const Surfaces surface = this->surface_at(paths.d, shading);
-      if (s_.lights > 0) add_direct(paths, surface, vertex, ratios);
-      scatter(paths, surface, vertex.u_lobe, ratios);
+      if (s_.lights > 0) add_direct(paths, surface, shading, vertex, ratios);
+      scatter(paths, surface, shading, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular)
       pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
@@ -186,13 +186,13 @@ class Walk : Steps<Needs> {
       paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, const ShadingPoints& shading, V2 u,
                           const MisRatios& ratios) const {
     const V3 wi = this->sample_wi(surface, u);
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
-    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
-    paths.alive = hn::And(paths.alive, above);
+    const M sampled = hn::And(this->above(wi, cosine, shading), hn::Gt(bsdf.pdf, set(0)));
+    paths.alive = hn::And(paths.alive, sampled);
     const V weight = this->lobes() ? hn::Div(cosine, bsdf.pdf) : set(pi);
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
@@ -203,8 +203,8 @@ class Walk : Steps<Needs> {
   }
 
   /// Adds direct light from points sampled on the lights.
-  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
-                             const MisRatios& ratios) const {
+  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, const ShadingPoints& shading,
+                             Vertex& vertex, const MisRatios& ratios) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
     const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
@@ -221,7 +221,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && (s_.sphere_lights || s_.any_mesh_light))
       elsewhere = hn::Or(elsewhere, is_from(s_.first_sphere, light.plane));
     if (Needs::full && s_.sphere_lights) elsewhere = hn::And(elsewhere, light.seen);
-    const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
+    const M faces = hn::And(hn::And(this->above(wi, cosine, shading), hn::Gt(light_cosine, set(0))),
                             hn::And(paths.alive, elsewhere));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);

@@ -44,6 +44,7 @@ struct Vertex {
   RayRegister ray;
   std::array<double, lanes> t{};  ///< hits on sdfs
   carlo::MeshRays of_mesh;        ///< hits on meshes
+  V3 ns;                          ///< normals to shade with, if the scene is `smooth`
   V3 error;                       ///< of the point's coordinates
   ToLight to_light;               ///< segments to lights that nothing else blocks,
   V3 direct;                      ///< and their contributions

@@ -82,6 +82,7 @@ struct ShadingPoints {
   U number;  ///< of the surface
   const Numbers &at_surface, &material;
   V3 p, n;
+  V3 ns;     ///< to shade with: n, or by a mesh's vertex normals
   V cosine;  ///< of the angle of arrival, above 0
   M front;   ///< the surface's own side
 };
@@ -170,11 +171,14 @@ class Steps {
     place(paths, vertex.hits.t, number, found.at_surface, p, normal);
     if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, normal);
     const V along = dot(normal, paths.d);
+    const V side = hn::CopySign(set(1), hn::Neg(along));
+    const V3 n = side * normal;
     return {number,
             found.at_surface,
             found.material,
             p,
-            hn::CopySign(set(1), hn::Neg(along)) * normal,
+            n,
+            Needs::full && s_.smooth ? side * vertex.ns : n,
             hn::Abs(along),
             hn::Lt(along, set(0))};
   }
@@ -221,7 +225,7 @@ class Steps {
     vertex.error = rounding_of(p);
     if (!s_.meshes) return;
     const M here = hn::And(is_from(s_.first_mesh, number), alive);
-    place_on_meshes(s_, vertex.of_mesh, here, p, normal, vertex.error);
+    place_on_meshes(s_, vertex.of_mesh, here, p, normal, vertex.ns, vertex.error);
   }
 
   /// Starts the next rays here.
@@ -244,10 +248,33 @@ class Steps {
                             Reflections& next) const {
     const Numbers& material = shading.material;
     const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
-    next = reflect(paths.d, shading.n, shading.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
-                   material(s_.ior.data()), u);
+    const V3 reflectance = material(s_.ks_r, s_.ks_g, s_.ks_b);
+    const V ior = material(s_.ior.data());
+    const V3 n = Needs::full && s_.smooth ? specular_normal(paths, shading, ior) : shading.n;
+    next = reflect(paths.d, n, shading.front, reflectance, ior, u);
     paths.alive = hn::AndNot(specular, paths.alive);
     return specular;
+  }
+
+  /// The normals by which mirrors and glass reflect: those to shade with, unless a direction then
+  /// ends on the wrong side of the triangle. They let some rays circle in glass for ever, where its
+  /// triangles would let them out: after 64 vertices the triangles count.
+  HWY_INLINE V3 specular_normal(const Paths& paths, const ShadingPoints& shading, V ior) const {
+    const V3 any = set(1, 1, 1);
+    const Reflections back = reflect(paths.d, shading.ns, shading.front, any, ior, set(-1)),
+                      through = reflect(paths.d, shading.ns, shading.front, any, ior, set(2));
+    const M wrong = hn::Or(hn::Le(dot(shading.n, back.d), set(0)),
+                           hn::And(through.through, hn::Ge(dot(shading.n, through.d), set(0))));
+    const M long_path =
+        hn::And(hn::Gt(ior, set(0)), hn::RebindMask(d_, hn::Gt(paths.depth, set_word(64))));
+    return select(hn::Or(wrong, long_path), shading.n, shading.ns);
+  }
+
+  /// True where wi lies above the triangle, too, and not only as its vertex normals have it.
+  HWY_INLINE M above(V3 wi, V cosine, const ShadingPoints& shading) const {
+    const M above = hn::Gt(cosine, set(0));
+    if (!Needs::full || !s_.smooth) return above;
+    return hn::And(above, hn::Gt(dot(shading.n, wi), set(0)));
   }
 
   /// True if there are lobes. Code compiled for all features asks the scene, so that a scene
@@ -270,13 +297,13 @@ class Steps {
     const Numbers& material = shading.material;
     Surfaces surface = zeros<Surfaces>();
     surface.p = each(shading.p);
-    surface.n = each(shading.n);
+    surface.n = each(shading.ns);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
     if (lobes()) {
       surface.exponent = material(s_.exponent.data());
       surface.diffuse = material(s_.diffuse.data());
       surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);
-      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(shading.n, d)), shading.n);
+      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(shading.ns, d)), shading.ns);
     }
     return surface;
   }
