@@ -34,7 +34,11 @@ void Context::start(double weight) {
 }
 
 void Context::progress(double fraction) {
-  if (carlo::interrupt_noted()) throw carlo::Error("interrupted; no page was written");
+  if (carlo::interrupt_noted()) {
+    throw carlo::Error("interrupted; {}",
+                       written_ ? options_.page.string() + " has the parts that were finished"
+                                : "no page was written");
+  }
   bar_.update(std::min((done_ + weight_ * fraction) / all_weights_, 1.0));
 }
 
@@ -61,8 +65,10 @@ void Context::fault(const std::string& line) {
   std::fflush(stdout);
 }
 
-void Context::write() {
+void Context::write(const std::vector<std::string>& missing) {
   bar_.clear();
+  carlo::Page page = page_;
+  if (!missing.empty()) page.note(fmt::format("Unfinished: without {}.", fmt::join(missing, ", ")));
   double load[3] = {};
   const bool known = getloadavg(load, 3) == 3;
   const std::string load_text =
@@ -80,14 +86,16 @@ void Context::write() {
       {"Load", load_text}};
   nlohmann::json about;
   for (const auto& [name, value] : facts) {
-    page_.fact(name, value);
+    page.fact(name, value);
     about[name] = value;
   }
-  page_.write(options_.page);
+  page.write(options_.page);
   const auto json = std::filesystem::path(options_.page).replace_extension(".json");
-  const nlohmann::json all = {{"about", about}, {"tables", results_}, {"faults", faults_}};
+  const nlohmann::json all = {
+      {"about", about}, {"tables", results_}, {"missing", missing}, {"faults", faults_}};
   carlo::write_file(json, all.dump(2) + "\n");
-  fmt::print("written: {} and {}\n", options_.page.string(), json.string());
+  written_ = true;
+  if (missing.empty()) fmt::print("written: {} and {}\n", options_.page.string(), json.string());
 }
 
 carlo::Cell spread_cell(const Spread& s) {

@@ -52,8 +52,8 @@ class Context {
   void fault(const std::string& line);
   bool sound() const { return faults_.empty(); }
 
-  /// Writes the page and, beside it, the JSON file.
-  void write();
+  /// Writes the page and, beside it, the JSON file; `missing`: the parts that are still to come.
+  void write(const std::vector<std::string>& missing = {});
 
  private:
   Options options_;
@@ -61,6 +61,7 @@ class Context {
   carlo::Progress bar_;
   nlohmann::json results_ = nlohmann::json::object();
   std::vector<std::string> faults_;
+  bool written_ = false;
   double all_weights_, done_ = 0, weight_ = 0;
 };
 

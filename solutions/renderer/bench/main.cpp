@@ -73,11 +73,15 @@ int run(int argc, char** argv) {
     seconds += part.seconds;
   }
   bench::Context context(options, seconds);
+  std::vector<std::string> missing;
+  for (const Part& part : wanted)
+    missing.push_back(part.name);
   for (const Part& part : wanted) {
     context.start(part.seconds);
     part.run(context);
+    missing.erase(missing.begin());
+    context.write(missing);
   }
-  context.write();
   return context.sound() ? 0 : 1;
 }
 

@@ -2,6 +2,7 @@
 #include "context.h"
 #include "render/interrupt.h"
 #include "scene/needs.h"
+#include "support/atomic_file.h"
 #include "support/error.h"
 
 #include <fmt/core.h>
@@ -9,7 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 // Mitsuba 3, Cycles and LuxCore beside ours: seconds at equal error, on each scene that one of them
 // can express exactly.
@@ -75,9 +82,92 @@ struct Best {
   Spread ratio;
 };
 
+/// A scene rendered by a peer's way: a row of the table, or why there is none.
+struct PeerRow {
+  std::string scene, way;
+  std::vector<carlo::Cell> cells;
+  std::optional<Spread> ratio;  ///< of their time to ours, if the images agree
+  std::string failure;
+};
+
+json to_json(const PeerRow& m) {
+  json cells = json::array(), ratio;
+  for (const carlo::Cell& cell : m.cells)
+    cells.push_back({cell.text, cell.value ? json(*cell.value) : json()});
+  if (m.ratio) ratio = {m.ratio->median, m.ratio->least, m.ratio->greatest};
+  return {{"scene", m.scene},
+          {"way", m.way},
+          {"cells", cells},
+          {"ratio", ratio},
+          {"failure", m.failure}};
+}
+
+PeerRow row_from(const json& from) {
+  PeerRow m{from.at("scene"), from.at("way"), {}, std::nullopt, from.at("failure")};
+  for (const json& cell : from.at("cells")) {
+    m.cells.emplace_back(cell.at(0).get<std::string>());
+    if (!cell.at(1).is_null()) m.cells.back().value = cell.at(1).get<double>();
+  }
+  const json& ratio = from.at("ratio");
+  if (!ratio.is_null()) m.ratio = Spread{ratio.at(0), ratio.at(1), ratio.at(2)};
+  return m;
+}
+
+/// What has been measured so far, in a file beside the page, from which the same command continues
+/// after an interruption. The file of another program or of other settings is ignored.
+class SoFar {
+ public:
+  SoFar(const Options& options, std::uint32_t samples)
+      : file_(std::filesystem::path(options.page).replace_extension(".partial.json")),
+        settings_({{"program", program()},
+                   {"peers", options.peers},
+                   {"seed", options.seed},
+                   {"samples", samples}}) {
+    if (!std::filesystem::exists(file_)) return;
+    const json earlier = json::parse(carlo::read_file(file_), nullptr, /*allow_exceptions=*/false);
+    if (earlier.is_discarded() || earlier.value("settings", json()) != settings_) return;
+    for (const json& row : earlier.at("rows"))
+      rows_.push_back(row_from(row));
+  }
+
+  std::size_t rows() const { return rows_.size(); }
+  const std::filesystem::path& file() const { return file_; }
+
+  const PeerRow* find(const std::string& scene, const std::string& way) const {
+    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const PeerRow& m) {
+      return m.scene == scene && m.way == way;
+    });
+    return found == rows_.end() ? nullptr : &*found;
+  }
+
+  void add(PeerRow row) {
+    rows_.push_back(std::move(row));
+    json rows = json::array();
+    for (const PeerRow& m : rows_)
+      rows.push_back(to_json(m));
+    carlo::write_file(file_, json{{"settings", settings_}, {"rows", rows}}.dump(1) + "\n");
+  }
+
+  void remove() { std::filesystem::remove(file_); }
+
+ private:
+  /// The time at which this program was built.
+  static std::int64_t program() {
+    return std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count();
+  }
+
+  std::filesystem::path file_;
+  json settings_;
+  std::vector<PeerRow> rows_;
+};
+
 class Peers {
  public:
-  explicit Peers(Context& context) : context_(context) {}
+  explicit Peers(Context& context) : context_(context), done_(context.options(), samples()) {
+    if (done_.rows() == 0) return;
+    context_.remark(fmt::format("an interrupted run's measurements are taken from {}: {}",
+                                done_.file().string(), done_.rows()));
+  }
 
   /// `from` and `to`: the renderer's fraction of the part.
   void measure_all(const Renderer& renderer, double from, double to) {
@@ -105,6 +195,9 @@ class Peers {
                                samples(), count()));
   }
 
+  /// Forgets what an interrupted run would continue from.
+  void finish() { done_.remove(); }
+
  private:
   std::uint32_t samples() const { return context_.options().full ? 256 : 64; }
   int count() const { return context_.options().full ? 5 : 3; }
@@ -117,38 +210,52 @@ class Peers {
       const carlo::Needs needs = carlo::needs(c.scene);
       if (way.for_caustics && !needs.mirror && !needs.dielectric) continue;
       const std::string name = renderer.name + " " + way.name;
-      const std::filesystem::path script = options.peer_scripts / renderer.script;
-      const double begin = from + each * static_cast<double>(i);
-      try {
-        const Runs runs = measure(context_,
-                                  {renderer.peer,
-                                   {name,
-                                    {"timeout", most_seconds, options.peers, script.string(), "--"},
-                                    options.scratch},
-                                   way.choices},
-                                  c, samples(), count(), begin, begin + each);
-        add(name, c, runs);
-      } catch (const carlo::Error& error) {
-        if (carlo::interrupt_noted()) throw;
-        context_.remark(fmt::format("{}, {}: {}", c.name, name, error.what()));
+      if (done_.find(c.name, name) == nullptr) {
+        const std::filesystem::path script = options.peer_scripts / renderer.script;
+        const double begin = from + each * static_cast<double>(i);
+        done_.add(measure_way({renderer.peer,
+                               {name,
+                                {"timeout", most_seconds, options.peers, script.string(), "--"},
+                                options.scratch},
+                               way.choices},
+                              c, begin, begin + each));
       }
+      add(*done_.find(c.name, name));
     }
   }
 
   /// A time counts only if the image agrees with ours.
-  void add(const std::string& name, const Compared& c, const Runs& runs) {
-    const Agreement a = agreement(runs.theirs, c.reference.image, *c.reference.standard_error);
-    std::vector<carlo::Cell> row = beside_row(c.name, runs, a);
-    row.insert(row.begin() + 1, carlo::Cell{name + " " + runs.version});
-    row.push_back(a.holds() ? "yes" : "no: the image differs");
-    rows_.add_row(std::move(row));
-    if (!a.holds()) return;
-    const Spread ratio = spread(runs.ratio);
-    const auto [found, is_new] = best_.try_emplace(c.name, Best{name, ratio});
-    if (!is_new && ratio.median < found->second.ratio.median) found->second = {name, ratio};
+  PeerRow measure_way(const Contender& contender, const Compared& c, double from, double to) {
+    PeerRow measured{c.name, contender.program.name, {}, std::nullopt, ""};
+    try {
+      const Runs runs = measure(context_, contender, c, samples(), count(), from, to);
+      const Agreement a = agreement(runs.theirs, c.reference.image, *c.reference.standard_error);
+      measured.cells = beside_row(c.name, runs, a);
+      measured.cells.insert(measured.cells.begin() + 1,
+                            carlo::Cell{measured.way + " " + runs.version});
+      measured.cells.emplace_back(a.holds() ? "yes" : "no: the image differs");
+      if (a.holds()) measured.ratio = spread(runs.ratio);
+    } catch (const carlo::Error& error) {
+      if (carlo::interrupt_noted())
+        throw carlo::Error("interrupted; the same command continues from here");
+      measured.failure = error.what();
+    }
+    return measured;
+  }
+
+  void add(const PeerRow& m) {
+    if (m.cells.empty()) {
+      context_.remark(fmt::format("{}, {}: {}", m.scene, m.way, m.failure));
+      return;
+    }
+    rows_.add_row(m.cells);
+    if (!m.ratio) return;
+    const auto [found, is_new] = best_.try_emplace(m.scene, Best{m.way, *m.ratio});
+    if (!is_new && m.ratio->median < found->second.ratio.median) found->second = {m.way, *m.ratio};
   }
 
   Context& context_;
+  SoFar done_;
   std::map<std::string, Best> best_;
   carlo::Table rows_{
       {"scene", "renderer", "its time [range]", "relMSE", "our samples", "our time [range]",
@@ -185,6 +292,7 @@ void bench_peers(Context& context) {
     peers.measure_all(there[i], number / all, (number + 1) / all);
   }
   if (!there.empty()) peers.report();
+  peers.finish();
 }
 
 }  // namespace bench
