@@ -10,8 +10,11 @@
 
 namespace carlo {
 
-Progress::Progress(std::string label, bool enabled)
-    : label_(std::move(label)), enabled_(enabled && stderr_is_interactive()) {}
+Progress::Progress(std::string label, bool enabled, std::chrono::milliseconds line_every)
+    : label_(std::move(label)), enabled_(enabled), bar_(stderr_is_interactive()) {
+  if (!enabled_) return;
+  watcher_ = std::thread([this, line_every] { bar_ ? keep_drawing() : print_lines(line_every); });
+}
 
 Progress::~Progress() {
   finish();
@@ -44,10 +47,14 @@ void Progress::update(double fraction) {
   const auto now = Clock::now();
   last_report_ = now;
   fraction_ = std::clamp(fraction, 0.0, 1.0);
-  if (drawn_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  draw(fraction_ > 0.01 ? format_seconds(elapsed * (1 - fraction_) / fraction_) + " left"
-                        : "estimating");
+  if (!bar_ || (drawn_ && now - last_draw_ < std::chrono::milliseconds(100))) return;
+  draw(remaining());
+}
+
+std::string Progress::remaining() const {
+  if (!(fraction_ > 0.01)) return "estimating";
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  return format_seconds(elapsed * (1 - fraction_) / fraction_) + " left";
 }
 
 void Progress::clear() {
@@ -58,7 +65,8 @@ void Progress::clear() {
 }
 
 void Progress::report_stalls() {
-  if (enabled_ && !watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
+  const std::lock_guard lock(mutex_);
+  stalls_ = true;
 }
 
 void Progress::finish() {
@@ -70,15 +78,26 @@ void Progress::finish() {
   woken_.notify_all();
 }
 
-void Progress::watch() {
+void Progress::print_lines(std::chrono::milliseconds every) {
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, every, [this] { return finished_; })) {
+    std::fputs(fmt::format("{}: {:.0f} %, {}\n", label_, 100 * fraction_, remaining()).c_str(),
+               stderr);
+    std::fflush(stderr);
+  }
+}
+
+void Progress::keep_drawing() {
   constexpr std::chrono::seconds patience{4};
   std::unique_lock lock(mutex_);
   while (!woken_.wait_for(lock, std::chrono::seconds(1), [this] { return finished_; })) {
     const auto still = Clock::now() - last_report_;
-    if (still < patience) continue;
+    if (still < std::chrono::seconds(1)) continue;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(still).count();
-    // With a short bar, to fit 80 columns.
-    draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);
+    if (stalls_ && still >= patience)  // with a short bar, to fit 80 columns
+      draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);
+    else
+      draw(remaining());
   }
 }
 

@@ -8,18 +8,21 @@
 
 namespace carlo {
 
-/// A progress bar with the remaining time, on stderr. On a terminal it is redrawn in place, at most
-/// ten times a second; elsewhere it is silent. Not thread-safe: only one thread may report.
+/// Progress with the remaining time, on stderr. On a terminal it is a bar, redrawn in place at most
+/// ten times a second and at least once, elsewhere a line every ten seconds; both go on while
+/// nothing is reported. Not thread-safe: only one thread may report.
 class Progress {
  public:
-  Progress(std::string label, bool enabled);
+  /// `line_every`: the time between two lines where stderr is no terminal.
+  Progress(std::string label, bool enabled,
+           std::chrono::milliseconds line_every = std::chrono::seconds(10));
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Reports the `fraction` of the work done, in [0, 1].
   void update(double fraction);
-  /// Clears the line; update() draws it again.
+  /// Clears the line, for text; it is drawn again by update(), or after a second.
   void clear();
 
   /// From now on, if nothing is reported or cleared for some seconds, the line says for how long.
@@ -31,15 +34,17 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void draw(const std::string& more, int width = 30);
   void erase();
-  void watch();
+  std::string remaining() const;
+  void keep_drawing();
+  void print_lines(std::chrono::milliseconds every);
 
   std::string label_;
-  bool enabled_;
-  bool drawn_ = false, finished_ = false;
+  bool enabled_, bar_;  ///< a bar, or lines
+  bool drawn_ = false, finished_ = false, stalls_ = false;
   double fraction_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
-  std::mutex mutex_;  ///< guards everything above, once there is a watcher
+  std::mutex mutex_;  ///< guards everything above
   std::condition_variable woken_;
   std::thread watcher_;
 };

@@ -1,4 +1,4 @@
-// The output of a progress line at a terminal.
+// The output of a progress line at a terminal, and elsewhere.
 
 #include "support/progress.h"
 
@@ -70,4 +70,39 @@ TEST_CASE("a line of progress that moves, or is finished, tells no stall", "[pro
   });
   CHECK(has(said, " left"));
   CHECK_FALSE(has(said, "nothing new"));
+}
+
+TEST_CASE("without a terminal there is a line now and then, and none after the end", "[progress]") {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::dup2(ends[1], STDERR_FILENO);
+    ::close(ends[1]);
+    {
+      carlo::Progress short_one("short", true, 1h);
+      short_one.update(0.5);
+    }
+    carlo::Progress quiet("quiet", false, 1ms);
+    carlo::Progress progress("rendering", true, 300ms);
+    std::this_thread::sleep_for(400ms);
+    progress.update(0.25);
+    std::this_thread::sleep_for(300ms);  // nothing new, but a line
+    progress.finish();
+    std::this_thread::sleep_for(400ms);
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  std::string said;
+  std::array<char, 4096> block{};
+  for (ssize_t got = 0; (got = ::read(ends[0], block.data(), block.size())) > 0;)
+    said.append(block.data(), static_cast<std::size_t>(got));
+  ::close(ends[0]);
+  ::waitpid(child, nullptr, 0);
+  CHECK(said.starts_with("rendering: 0 %, estimating\n"));
+  CHECK(has(said, "rendering: 25 %, "));
+  CHECK(said.ends_with(" left\n"));
+  CHECK_FALSE(has(said, "short"));
+  CHECK_FALSE(has(said, "quiet"));
 }

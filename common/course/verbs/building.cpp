@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <sstream>
@@ -28,13 +29,17 @@ class BuildProgress {
  public:
   BuildProgress();
   /// Shows the progress that a line of ninja reports; returns false if it reports none.
-  bool show(const std::string& line);
+  bool take(const std::string& line);
+  /// Shows it on a terminal; elsewhere if nothing has been shown for ten seconds.
+  void show();
   /// Clears the terminal's line.
   void clear();
 
  private:
+  using Clock = std::chrono::steady_clock;
   bool terminal_, shown_ = false;
-  int last_second_ = 0;  ///< when a line was last printed, in seconds of the build
+  int done_ = 0, total_ = 0;
+  Clock::time_point start_ = Clock::now(), last_line_ = start_;
 };
 
 /// Returns ", about 3 min left" for a build of which `done` of `total` steps took `seconds`; ""
@@ -48,28 +53,35 @@ std::string time_left(int done, int total, int seconds) {
 
 BuildProgress::BuildProgress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-bool BuildProgress::show(const std::string& line) {
+bool BuildProgress::take(const std::string& line) {
   if (line.empty() || line[0] != '@') return false;
-  // "@DONE/TOTAL SECONDS what"
+  // "@DONE/TOTAL what"
   const std::size_t slash = line.find('/'), blank = line.find(' ');
   if (slash > blank || blank == std::string::npos) return false;
   const std::string_view text = line;
   const auto done = number_of<int>(text.substr(1, slash - 1));
   const auto total = number_of<int>(text.substr(slash + 1, blank - slash - 1));
-  const std::string_view rest = text.substr(blank + 1);
-  const auto whole_seconds = number_of<int>(rest.substr(0, rest.find_first_not_of("0123456789")));
-  if (!done || !total || !whole_seconds) return false;
-  const int second = *whole_seconds;
-  const std::string text_now = joined({"carlo: building ", std::to_string(*done), "/",
-                                       std::to_string(*total), time_left(*done, *total, second)});
+  if (!done || !total) return false;
+  done_ = *done;
+  total_ = *total;
+  show();
+  return true;
+}
+
+void BuildProgress::show() {
+  if (total_ == 0) return;
+  const auto now = Clock::now();
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
+  const std::string text =
+      joined({"carlo: building ", std::to_string(done_), "/", std::to_string(total_),
+              time_left(done_, total_, static_cast<int>(seconds))});
   if (terminal_) {
     shown_ = true;
-    say({"\r\x1b[K", text_now});
-  } else if (second - last_second_ >= 10) {
-    last_second_ = second;
-    say({text_now, "\n"});
+    say({"\r\x1b[K", text});
+  } else if (now - last_line_ >= std::chrono::seconds(10)) {
+    last_line_ = now;
+    say({text, "\n"});
   }
-  return true;
 }
 
 void BuildProgress::clear() {
@@ -164,12 +176,15 @@ void Building::build(const Words& targets, const Words& keep) {
     say({"carlo: building (a minute or more the first time) ...\n"});
   Words command = in_turn();
   if (!keep.empty()) ((command += {"--keep", own().path()}) += keep) += {"--"};
-  (command += {"env", "NINJA_STATUS=@%f/%t %e ", "ninja", "-C", folder_}) += targets;
+  (command += {"env", "NINJA_STATUS=@%f/%t ", "ninja", "-C", folder_}) += targets;
   std::string said;
   BuildProgress progress;
-  const int code = run_listening(command, {.notices = STDERR_FILENO}, [&](const std::string& line) {
-    if (!progress.show(line)) (said += line) += '\n';
-  });
+  const int code = run_listening(
+      command, {.notices = STDERR_FILENO},
+      [&](const std::string& line) {
+        if (!progress.take(line)) (said += line) += '\n';
+      },
+      [&] { progress.show(); });
   progress.clear();
   if (code != 0) failed(code, said);
   // Our code has no warnings (they are errors); a student's are shown.

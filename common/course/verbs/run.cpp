@@ -5,6 +5,7 @@
 #include "support/number.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,7 +81,8 @@ int run_gathering(const Words& command, const ProgramStart& how, std::string& sa
 }
 
 int run_listening(const Words& command, const ProgramStart& how,
-                  const std::function<void(const std::string& line)>& said) {
+                  const std::function<void(const std::string& line)>& said,
+                  const std::function<void()>& waiting) {
   Pipe pipe = make_pipe();
   Descriptor write = pipe.write.lifted();
   const Descriptor read = pipe.read.lifted();
@@ -91,9 +93,15 @@ int run_listening(const Words& command, const ProgramStart& how,
   write.close();
   std::string rest;
   std::array<char, 4096> piece{};
-  for (ssize_t n = 0; (n = ::read(read.get(), piece.data(), piece.size())) != 0;) {
+  for (;;) {
+    pollfd output{read.get(), POLLIN, 0};
+    if (::poll(&output, 1, 1000) == 0) {
+      waiting();
+      continue;
+    }
+    const ssize_t n = ::read(read.get(), piece.data(), piece.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) break;
+    if (n <= 0) break;
     rest.append(piece.data(), static_cast<std::size_t>(n));
     for (std::size_t end = 0; (end = rest.find('\n')) != std::string::npos;) {
       said(rest.substr(0, end));

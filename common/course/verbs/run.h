@@ -41,9 +41,11 @@ int run_silently(const Words& command);
 /// The same; appends its output, stdout and stderr, to `said`.
 int run_gathering(const Words& command, const ProgramStart& how, std::string& said);
 
-/// The same; calls `said` for each line of output.
-int run_listening(const Words& command, const ProgramStart& how,
-                  const std::function<void(const std::string& line)>& said);
+/// The same; calls `said` for each line of output, and `waiting` each second without any.
+int run_listening(
+    const Words& command, const ProgramStart& how,
+    const std::function<void(const std::string& line)>& said,
+    const std::function<void()>& waiting = [] {});
 
 /// True if a program of that name is in PATH.
 bool is_installed(const std::string& program);
