@@ -21,6 +21,7 @@ namespace {
 
 const std::array<std::string, 3> colour_channels = {"R", "G", "B"};
 const std::array<std::string, 3> error_channels = {"se.R", "se.G", "se.B"};
+const std::string samples_channel = "samples";
 const std::string attribute_prefix = "carlo:";
 
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
@@ -35,12 +36,13 @@ std::vector<std::uint32_t> interleave(const ExrFile& file, int first_line, int e
   std::vector<std::uint32_t> data;
   const std::size_t first = file.image.index(0, first_line);
   const std::size_t end = first + file.image.index(0, end_line - first_line);
-  data.reserve((end - first) * ((file.standard_error ? 6 : 3) + file.counts.size()));
+  data.reserve((end - first) * ((file.standard_error ? 7 : 4) + file.counts.size()));
   for (std::size_t i = first; i < end; ++i) {
     for (int c = 0; c < 3; ++c)
       data.push_back(std::bit_cast<std::uint32_t>(file.image.pixels[i][c]));
     for (int c = 0; c < 3 && file.standard_error; ++c)
       data.push_back(std::bit_cast<std::uint32_t>(file.standard_error->pixels[i][c]));
+    if (!file.samples.empty()) data.push_back(std::bit_cast<std::uint32_t>(file.samples[i]));
     for (const auto& [name, values] : file.counts)
       data.push_back(values[i]);
   }
@@ -69,6 +71,7 @@ OIIO::ImageSpec spec_of(const ExrFile& file) {
     for (const std::string& name : error_channels)
       add(name, OIIO::TypeDesc::FLOAT);
   }
+  if (!file.samples.empty()) add(samples_channel, OIIO::TypeDesc::FLOAT);
   for (const auto& [name, values] : file.counts)
     add(name, OIIO::TypeDesc::UINT32);
   if (file.counts.empty()) spec.channelformats.clear();

@@ -13,12 +13,16 @@ namespace carlo {
 
 /// The contents of our EXR files: 32-bit float RGB and, if known, the standard error of each pixel
 /// (channels "se.R", "se.G", "se.B"), attributes such as "carlo:seed", and channels of 32-bit whole
-/// numbers, row-major, such as "samples".
+/// numbers, row-major, such as "sums.blocks".
 struct ExrFile {
   Image image;
   std::optional<Image> standard_error = {};
   std::map<std::string, std::string> attributes = {};
   std::map<std::string, std::vector<std::uint32_t>> counts = {};
+  /// If not empty, the number of samples of each pixel: the channel "samples", which is not read
+  /// back. Floats, since other programs read whole numbers as fractions (OpenImageIO), or shift the
+  /// colours that stand beside them (three.js).
+  std::vector<float> samples = {};
   std::vector<std::string> notes = {};  ///< after reading: what differs from the file
 };
 

@@ -214,6 +214,20 @@ TEST_CASE("Of an EXR's counts those are read that are asked for and there") {
   CHECK(read_exr(path, {"sums.b"}).counts.at("sums.b") == counts.at("sums.b"));
 }
 
+TEST_CASE("An EXR's numbers of samples are floats, which every program reads as they are") {
+  const TemporaryFolder scratch;
+  const auto path = scratch.path() / "a.exr";
+  ExrFile file{random_image(2, 1, 1), random_image(2, 1, 2), {}, {{"sums.a", {1, 0xFFFFFFFF}}}};
+  file.samples = {8, 16};
+  write_exr(path, file);
+  const std::string of_floats = std::string("samples") + '\0' + '\2';
+  CHECK(read_file(path).find(of_floats) != std::string::npos);
+  const ExrFile back = read_exr(path, {"sums.a"});
+  CHECK(back.image.pixels == file.image.pixels);
+  CHECK(back.standard_error.value().pixels == file.standard_error->pixels);
+  CHECK(back.counts == file.counts);
+}
+
 TEST_CASE("What cannot be read or written is an error that leaves nothing behind") {
   const TemporaryFolder scratch;
   write_file(scratch.path() / "not.exr", "hello");

@@ -5,7 +5,6 @@
 #include "image/png.h"
 #include "support/atomic_file.h"
 
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,11 +15,11 @@ namespace fs = std::filesystem;
 static constexpr const char* samples_suffix = ".samples.png";
 
 /// The number of samples of each pixel.
-static std::vector<std::uint32_t> sample_counts(const Film& film) {
-  std::vector<std::uint32_t> counts;
+static std::vector<float> sample_counts(const Film& film) {
+  std::vector<float> counts;
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x)
-      counts.push_back(static_cast<std::uint32_t>(film.samples(x, y)));
+      counts.push_back(static_cast<float>(film.samples(x, y)));
   }
   return counts;
 }
@@ -71,7 +70,7 @@ ExrFile ResumableOutputs::exr(const RenderResult& result, const RenderReport& re
 ExrFile ResumableOutputs::exr(const AdaptiveResult& result, const RenderReport& report,
                               bool sums) const {
   ExrFile file = exr_of(result, report);
-  file.counts["samples"] = sample_counts(result.film);
+  file.samples = sample_counts(result.film);
   if (sums) add_sums(file, settings_, *result.state, result.counts);
   return file;
 }

@@ -12,6 +12,7 @@ struct CarloExrView {
   int width, height;
   const float* pixels;          ///< RGB, row-major
   const float* standard_error;  ///< like pixels, or null
+  const float* samples;         ///< one for each pixel, or null; never read back
   std::size_t attributes;
   const char* const* attribute_names;
   const char* const* attribute_values;

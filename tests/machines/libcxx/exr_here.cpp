@@ -74,6 +74,7 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
                           file.image.height,
                           pixels.data(),
                           file.standard_error ? errors.data() : nullptr,
+                          file.samples.empty() ? nullptr : file.samples.data(),
                           names.size(),
                           names.data(),
                           texts.data(),

@@ -42,6 +42,8 @@ char* error_of(const Work& work) {
     ExrFile file{image_of(*view, view->pixels)};
     if (view->standard_error != nullptr)
       file.standard_error = image_of(*view, view->standard_error);
+    if (view->samples != nullptr)
+      file.samples.assign(view->samples, view->samples + file.image.pixels.size());
     for (std::size_t i = 0; i < view->attributes; ++i)
       file.attributes[view->attribute_names[i]] = view->attribute_values[i];
     for (std::size_t i = 0; i < view->counts; ++i) {
@@ -72,12 +74,19 @@ char* error_of(const Work& work) {
       count_names.push_back(name.c_str());
       count_values.push_back(values.data());
     }
-    const CarloExrView view{file.image.width,   file.image.height,
-                            pixels.data(),      file.standard_error ? errors.data() : nullptr,
-                            names.size(),       names.data(),
-                            texts.data(),       count_names.size(),
-                            count_names.data(), count_values.data(),
-                            notes.size(),       notes.data()};
+    const CarloExrView view{file.image.width,
+                            file.image.height,
+                            pixels.data(),
+                            file.standard_error ? errors.data() : nullptr,
+                            nullptr,
+                            names.size(),
+                            names.data(),
+                            texts.data(),
+                            count_names.size(),
+                            count_names.data(),
+                            count_values.data(),
+                            notes.size(),
+                            notes.data()};
     take(context, &view);
   });
 }
