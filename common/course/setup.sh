@@ -33,6 +33,7 @@ develop   clang-tidy
 develop   libclang-rt-dev
 develop   llvm
 develop   shellcheck
+develop   python3-numpy
 cluster   slurmctld
 cluster   slurmd
 cluster   slurm-client
