@@ -34,7 +34,8 @@ talks() {
   local terminal limit
   terminal=$(printf '%q ' "$source/carlo" "$@")
   for limit in 15 2; do
-    [ -z "$anew" ] || rm -rf "$anew"
+    # A verb on a terminal leaves a build in the background behind.
+    [ -z "$anew" ] || until rm -rf "$anew"; do sleep 1; done
     printf './carlo %s: ' "$*"
     if [ "$limit" = 15 ]; then
       "$source/carlo" "$@" 2>&1 </dev/null | longest_silence "$limit"

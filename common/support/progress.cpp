@@ -90,9 +90,9 @@ void Progress::print_lines(std::chrono::milliseconds every) {
 void Progress::keep_drawing() {
   constexpr std::chrono::seconds patience{4};
   std::unique_lock lock(mutex_);
-  while (!woken_.wait_for(lock, std::chrono::seconds(1), [this] { return finished_; })) {
+  while (!woken_.wait_for(lock, std::chrono::milliseconds(200), [this] { return finished_; })) {
     const auto still = Clock::now() - last_report_;
-    if (still < std::chrono::seconds(1)) continue;
+    if (std::min(still, Clock::now() - last_draw_) < std::chrono::seconds(1)) continue;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(still).count();
     if (stalls_ && still >= patience)  // with a short bar, to fit 80 columns
       draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);

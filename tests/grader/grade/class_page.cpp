@@ -244,7 +244,7 @@ Page class_page(std::vector<Record> records, bool names) {
   const std::vector<Column> columns = columns_of(records);
   const auto graded = static_cast<std::size_t>(
       std::count_if(records.begin(), records.end(), [](const Record& r) { return r.complete(); }));
-  Page page("The class", fmt::format("{} submissions, {} with all marks, at most {} points",
+  Page page("The class", fmt::format("{} submissions, {} of them graded; at most {} points",
                                      records.size(), graded, records.front().max()));
   page.style(class_style);
   page.section("Exercises");

@@ -185,7 +185,7 @@ TEST_CASE("The class's page counts who is right, and what builds on what is not 
   const Record broken = record("broken", unjudged(demo_lab(), Status::does_not_compile, ""));
   const std::string page = class_page({right, wrong, broken}, true).html();
   CHECK(page == class_page({broken, wrong, right}, true).html());
-  CHECK(has(page, "3 submissions, 3 with all marks, at most 5 points"));
+  CHECK(has(page, "3 submissions, 3 of them graded; at most 5 points"));
   CHECK(has(page, "33 %"));
   CHECK(has(page, "one &lt; too many"));
   CHECK_FALSE(has(page, "unlikely"));
@@ -205,7 +205,7 @@ TEST_CASE("The class's page shows that marks are missing", "[grade]") {
   const Record failed = record("a", unjudged(demo_lab(), Status::grader_error, "no space"));
   const std::string page =
       class_page({failed, record("b", judged(demo_lab(), verdict(2, 3)))}, true).html();
-  CHECK(has(page, "2 submissions, 1 with all marks"));
+  CHECK(has(page, "2 submissions, 1 of them graded"));
   CHECK(has(page, "<td class=\"unjudged\""));
   CHECK(has(page, "100 %"));
 }
