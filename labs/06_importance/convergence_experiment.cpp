@@ -70,7 +70,7 @@ void convergence_experiment(Notebook& notebook) {
       "error that no number of samples will mend. In the right-hand plot a p pays for its "
       "logarithms and powers.");
   notebook.table("convergence_slopes", slopes, "Slope of log error, with 95 % interval");
-  notebook.table("convergence", measurement_table(curves, 2), "Median error of the estimates");
+  notebook.numbers("convergence", measurement_table(curves, 2), "Median error of the estimates");
   notebook.charts(error_charts("Importance sampling", "median error", drawn));
 }
 

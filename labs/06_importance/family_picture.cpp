@@ -41,8 +41,9 @@ std::string layer(const carlo::Plot& axes, double n) {
 }  // namespace
 
 std::string family_slider() {
-  const carlo::Axis axis{"", carlo::Unit::number, carlo::Scale::linear};
-  const carlo::Plot axes(axis, {0, 1}, axis, {0, 6}, {400, 250});
+  const carlo::Axis x{"x", carlo::Unit::number, carlo::Scale::linear};
+  const carlo::Axis y{"", carlo::Unit::number, carlo::Scale::linear};
+  const carlo::Plot axes(x, {0, 1}, y, {0, 6}, {400, 250});
   carlo::Plot plot = axes;
   plot.line("c1", carlo::graph(power(k), {0, 1}));
   std::vector<std::string> said;

@@ -12,8 +12,9 @@ int main(int argc, char** argv) {
                       lab06::tails_experiment, lab06::fog_experiment, lab06::rejection_experiment,
                       lab06::weights_experiment, lab06::plates_experiment},
       .what_you_should_see = {
-          "The variance of f/p falls to 0 as p approaches f, on either side of it, and the "
-          "measured values lie on the closed form wherever that is finite.",
+          "The variance of f/p falls to 0 as p approaches f, on either side of it. Up to n = 17/3 "
+          "the measured values lie on the closed form; from there to n = 9, where it becomes "
+          "infinite, most are too small.",
           "Any p that covers f gives the right mean. A better p shifts the line of the error down "
           "and leaves its slope at -1/2; one that is 0 where f is not ends on a bias.",
           "A p that is too thin in the tails breaks the slope. Its runs look calm and are too "

@@ -8,7 +8,8 @@ namespace lab06 {
 
 std::string graph_picture(std::string_view title, std::string_view note, const View& view,
                           const std::vector<Line>& lines, const std::vector<double>& marks) {
-  const carlo::Axis x{"", carlo::Unit::count, view.scale};
+  const bool runs = view.scale == carlo::Scale::log;
+  const carlo::Axis x{runs ? "N" : "x", carlo::Unit::count, view.scale};
   const carlo::Axis y{"", carlo::Unit::number, carlo::Scale::linear};
   const std::vector<double> ends{view.bottom, view.top};
   carlo::Stretch across{view.first, view.last};

@@ -84,6 +84,10 @@ void variance_chart(Notebook& notebook) {
     measured.points.push_back(
         {n, summarize(contributions(power_f, power_density(n), count, rng)).variance});
   }
+  notebook.say(
+      "From n = 17/3 on the mean of (f/p)⁴ is infinite, and with it the variance of a measured "
+      "variance: it depends on the few largest samples. Most runs fall short of the closed form, and "
+      "a standard error that comes of such a variance is too small.");
   notebook.charts({{"Variance along the family p as x^n",
                     "zero at n = 4, where p is proportional to f; infinite from n = 9 on",
                     {"n", carlo::Unit::number, carlo::Scale::linear},

@@ -69,7 +69,8 @@ void exponents_experiment(Notebook& notebook) {
         "at all. Larger n thin out the horizon. There cos/p grows like cos^(1-n); its square has "
         "an infinite mean from n = 3 on. A measured deviation is then no more than the largest "
         "contribution so far, and the estimates fall short without showing it.");
-    notebook.table("exponents", table, "One direction's contribution, relative to the irradiance");
+    notebook.numbers("exponents", table,
+                     "One direction's contribution, relative to the irradiance");
     notebook.charts(
         {carlo::Chart{"Relative standard deviation of one direction",
                       "an open sky, by a lobe around the normal",

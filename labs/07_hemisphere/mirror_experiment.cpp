@@ -67,7 +67,7 @@ void mirror_experiment(Notebook& notebook) {
         "good part of it points into the floor. Those directions are drawn and count, but "
         "contribute nothing: the light is absorbed. Drawing again until one is above would "
         "brighten every edge.");
-    notebook.table("below", table, "The part of the lobe below the horizon");
+    notebook.numbers("below", table, "The part of the lobe below the horizon");
     notebook.charts({chart});
   });
 }

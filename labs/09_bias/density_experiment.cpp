@@ -112,7 +112,7 @@ carlo::Chart against_radius(Notebook& notebook) {
          carlo::percent_cell(bias), percent_of_root(measured[i].bias2, 3),
          carlo::percent_cell(noise), carlo::percent_cell(std::sqrt(measured[i].variance))});
   }
-  notebook.table(
+  notebook.numbers(
       "density_radius", table,
       fmt::format("At the foot of a point light, by photons within a radius; {}", minus_is_noise));
   return chart;

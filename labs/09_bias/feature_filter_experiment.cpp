@@ -108,8 +108,8 @@ void feature_filter_experiment(Notebook& notebook) {
         "are relative, dark pixels counted as .1. Albedo, normal and depth show corners and "
         "the balls' outlines, but not a shadow's edge: that is left to the colours, and k says "
         "how many standard errors they may differ by.");
-    notebook.table("filter", table,
-                   fmt::format("Filtered and not: bias and noise apart; {}", minus_is_noise));
+    notebook.numbers("filter", table,
+                     fmt::format("Filtered and not: bias and noise apart; {}", minus_is_noise));
     notebook.charts({carlo::error_charts("Soft shadows", "relative RMS error", curves, false)[1]});
   });
 }

@@ -191,9 +191,9 @@ void irradiance_cache_experiment(Notebook& notebook) {
         "image as blotches, and the bias of using them elsewhere. More directions per record "
         "help only against the first.");
     notebook.raw_html(carlo::tiles(pictures));
-    notebook.table("cache", table,
-                   fmt::format("Caches: bias and noise apart, in parts of the mean radiance; {}",
-                               minus_is_noise));
+    notebook.numbers("cache", table,
+                     fmt::format("Caches: bias and noise apart, in parts of the mean radiance; {}",
+                                 minus_is_noise));
     carlo::Table by_paths({"paths a pixel", "error", "time"}, {"paths", "error", "seconds"});
     for (const Measurement& run : traced.curve.runs)
       by_paths.add_row(

@@ -188,8 +188,8 @@ void measure_edge(Notebook& notebook) {
       "the filter, or uniform in its square and weighted. (A box has equal weights: there both "
       "are the same.)",
       carlo::number_text(edge_at)));
-  notebook.table("edge", table,
-                 fmt::format("A pixel on an edge: bias and noise apart; {}", minus_is_noise));
+  notebook.numbers("edge", table,
+                   fmt::format("A pixel on an edge: bias and noise apart; {}", minus_is_noise));
   std::vector<carlo::Chart> charts =
       carlo::error_charts("A pixel on an edge", "error", curves, false);
   charts[0].title = "A pixel on an edge: error against rays";

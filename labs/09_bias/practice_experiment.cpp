@@ -139,8 +139,8 @@ void practice_experiment(Notebook& notebook) {
     ahead.add_row({scene.name, ahead_at(curves, seconds), ahead_at(curves, hour)});
   }
   notebook.charts(charts);
-  notebook.table("practice", table, "Bias, noise and time of all methods");
-  notebook.table("practice_predicted", predicted, "What the curves predict");
+  notebook.numbers("practice", table, "Bias, noise and time of all methods");
+  notebook.numbers("practice_predicted", predicted, "What the curves predict");
   notebook.table("practice_ahead", ahead, "Who is ahead: measured, and predicted for an hour");
 }
 

@@ -47,6 +47,11 @@ void Notebook::table(const std::string& key, const Table& table, std::string_vie
   page_.raw_html(html);
 }
 
+void Notebook::numbers(const std::string& key, const Table& table, std::string_view caption) {
+  data(key, table, caption);
+  print_table(key, table, caption);
+}
+
 void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
   page_.raw_html(fmt::format("<details><summary>{}</summary>", html_typeset(caption)));
   page_.table(table);

@@ -45,7 +45,9 @@ class Notebook {
   /// The same, but the page gets `html` (trusted) instead of the table.
   void table(const std::string& key, const Table& table, std::string_view caption,
              std::string_view html);
-  /// Adds numbers that would only distract: folded on the page, in the JSON file like any table.
+  /// Adds the numbers of a chart: a table that is folded on the page.
+  void numbers(const std::string& key, const Table& table, std::string_view caption);
+  /// The same, and not on the console: numbers that would only distract.
   void data(const std::string& key, const Table& table, std::string_view caption);
   void charts(const std::vector<Chart>& row) { page_.charts(row); }
   /// Adds trusted HTML and JavaScript to the page (page.h); prints nothing.
