@@ -3,6 +3,8 @@
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
 #include "course/cli/wrap.h"
+#include "course/guide/own_files.h"
+#include "course/guide/verdicts.h"
 #include "course/report/crash_note.h"
 #include "course/report/machine.h"
 #include "course/report/page.h"
@@ -24,6 +26,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace carlo {
 namespace {
@@ -114,6 +117,25 @@ std::string advice_when_stopped(const LabApp& lab) {
       lab.number);
 }
 
+/// The exercises that the last verdict found wrong in a student's code as it is now.
+std::vector<std::string> found_wrong(int lab_number) {
+  std::vector<std::string> wrong;
+  if (!of_student()) return wrong;
+  const std::filesystem::path root = std::getenv("CARLO_COURSE");
+  const std::filesystem::path verdicts = root / ".carlo/verdicts.json";
+  if (!std::filesystem::exists(verdicts)) return wrong;
+  const std::vector<Lab> labs = load_labs(root / "labs");
+  const Lab& lab = find_lab(labs, lab_number);
+  const VerdictBook book(verdicts);
+  const OwnCode code(root / "labs", lab);
+  for (const Exercise& exercise : lab.exercises) {
+    const KeptVerdict* last = book.find(exercise);
+    if (last == nullptr || last->passed() || code.open_functions(exercise) > 0) continue;
+    if (last->exercise == code.digest(exercise)) wrong.push_back(exercise.number());
+  }
+  return wrong;
+}
+
 /// Returns the command as one could type it again.
 std::string command_line(int number, int argc, char** argv) {
   std::string command = fmt::format("./carlo lab {}", number);
@@ -170,6 +192,11 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
   if (of_student()) notebook.report_stalls();
   report_crashes();
+  if (const auto wrong = found_wrong(lab.number); !wrong.empty()) {
+    notebook.warn(fmt::format(
+        "Wrong by ./carlo test {}: {}. What uses it does not show what right code gives.",
+        lab.number, fmt::join(wrong, ", ")));
+  }
   const WallClock clock;
   run_experiments(selected(lab, arguments.step), predictions, notebook);
   const double seconds = clock.seconds();

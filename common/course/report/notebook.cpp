@@ -70,9 +70,13 @@ void Notebook::leave_out(const NotImplemented& missing) {
   left_out_.insert(missing.tag());
   if (!left_out_here_.insert(missing.tag()).second) return;
   const std::string reason = missing.what();
+  warn(reason);
+}
+
+void Notebook::warn(const std::string& text) {
   bar_.clear();
-  fmt::print("{}\n\n", wrapped(coloured(Colour::yellow, reason)));
-  page_.note(reason);
+  fmt::print("{}\n\n", wrapped(coloured(Colour::yellow, text)));
+  page_.note(text);
 }
 
 void Notebook::set_experiment(int index, int count, int before) {

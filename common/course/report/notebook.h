@@ -41,6 +41,8 @@ class Notebook {
 
   void begin(std::string_view title);
   void say(std::string_view paragraph);
+  /// Says something that the reader must not miss.
+  void warn(const std::string& text);
   void table(const std::string& key, const Table& table, std::string_view caption);
   /// The same, but the page gets `html` (trusted) instead of the table.
   void table(const std::string& key, const Table& table, std::string_view caption,
