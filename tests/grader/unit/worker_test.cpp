@@ -153,6 +153,8 @@ TEST_CASE("a full stack is told from other bad accesses", "[worker]") {
     SKIP("stacks have no limit here, or a large one");
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   for (const char* probe : {"recursion too deep", "local array too large"}) {
+    // Clang's sanitizer ends without a report where it marks the ends of such an array.
+    if (address_sanitizer() && std::string(probe) == "local array too large") continue;
     const Result result = run(level, probe);
     INFO(probe << ": " << result.message << " | " << result.printed);
     CHECK(result.status == Status::crashed);
