@@ -52,8 +52,8 @@ struct Accepted {
 /// centre, which has no direction.
 Accepted sample_uniform_by_rejection(Vec3 normal, carlo::Rng& rng);
 
-/// Lab 7.3. A uniform direction of the local hemisphere, by inversion; and its density, which is 0
-/// below the horizon.
+/// Lab 7.3. A uniform direction of the local hemisphere, above the horizon for every u, by
+/// inversion; and its density, which is 0 below the horizon.
 Vec3 sample_uniform_hemisphere(Vec2 u);
 float uniform_hemisphere_pdf(Vec3 w);
 

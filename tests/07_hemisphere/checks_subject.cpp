@@ -70,7 +70,9 @@ void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero) 
     judge(holds(
         fmt::format("{}: the direction of u = ({:.8g}, {:.8g})", subject.name, u[i].x, u[i].y),
         false, fmt::format("cosine {:.3g}, density {}", cosine, number_or_nan(rows.at(i, 3))),
-        "a density above 0, and finite", diagnoses));
+        subject.sampler == Sampler::mirror ? "a density above 0, and finite"
+                                           : "a cosine above 0, and a density above 0 and finite",
+        diagnoses));
     return;
   }
   judge(holds("directions at the edges of [0, 1)^2", true, "all with a density above 0",

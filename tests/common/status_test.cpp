@@ -328,6 +328,17 @@ TEST_CASE("Clang's way to the student's line, and what the linker misses", "[cou
   CHECK(has(messages[2].text, "lab02::mean_of(lab02::Sums const&) is called but never defined"));
 }
 
+TEST_CASE("a parallel algorithm of the library, which lacks its library, is told once",
+          "[course]") {
+  const std::string log =
+      "/usr/bin/ld: integration.cpp.o: in function `lab01::average(long)':\n"
+      "integration.cpp:(.text+0x1): undefined reference to `tbb::detail::r1::destroy(int&)'\n"
+      "integration.cpp:(.text+0x2): undefined reference to `tbb::detail::r1::isolate(long)'\n";
+  const std::vector<CompilerMessage> messages = compiler_messages(log, "/tree");
+  REQUIRE(messages.size() == 1);
+  CHECK(has(messages[0].text, "std::execution::par needs the library TBB"));
+}
+
 TEST_CASE("a log in which nothing is recognised is shown without the commands", "[course]") {
   const std::string log = "FAILED: x\n/usr/bin/c++ -c x.cpp\nc++: fatal: killed\nninja: stopped\n";
   CHECK(compiler_messages(log, "/tree").empty());

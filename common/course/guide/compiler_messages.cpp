@@ -196,6 +196,17 @@ std::string quoted(const std::string& line, std::size_t from) {
   return line.substr(open + 1, close == std::string::npos ? close : close - open - 1);
 }
 
+/// Says what to do about a name that the linker does not find.
+std::string missing(const std::string& name) {
+  // The library's parallel algorithms compile wherever TBB's headers are; nothing here links TBB.
+  if (name.rfind("tbb::", 0) == 0)
+    return "std::execution::par needs the library TBB, which is not linked: leave it out";
+  return fmt::format(
+      "{} is called but never defined: is it written with exactly the header's parameters, and in "
+      "the header's namespace?",
+      calm(name));
+}
+
 class Reader {
  public:
   explicit Reader(const fs::path& root) : root_(root.lexically_normal()) {}
@@ -294,10 +305,7 @@ class Reader {
       if (at == std::string::npos) continue;
       const std::string name =
           what.back() == ' ' && what[10] == 's' ? line.substr(at + what.size()) : quoted(line, at);
-      link_error(
-          fmt::format("{} is called but never defined: is it written with exactly the "
-                      "header's parameters, and in the header's namespace?",
-                      calm(name)));
+      link_error(missing(name));
       return true;
     }
     const std::size_t at = line.find("multiple definition of ");

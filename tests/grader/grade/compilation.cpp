@@ -1,6 +1,7 @@
 #include "grader/grade/compilation.h"
 
 #include "course/cli/descriptor.h"
+#include "course/guide/compiler_messages.h"
 #include "course/verdict/printed.h"
 #include "grader/grade/blame.h"
 #include "grader/grade/precompiled_header.h"
@@ -97,6 +98,17 @@ void add_harmless(std::string& messages, const std::string& said) {
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);)
     messages += harmless(line) + "\n";
+}
+
+/// Says in a line each, as ./carlo test does, what the linker found missing or twice: its own words
+/// name our files, and a name that is missing in each place that uses it.
+std::string in_plain_words(const std::string& said) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  const std::vector<CompilerMessage> messages = compiler_messages(said, {});
+  for (std::size_t i = 0; i < std::min(messages.size(), most); ++i)
+    text += messages[i].text + "\n";
+  return text;
 }
 
 /// Says, for the student, why a compiler was ended; "" if it ended by itself.
@@ -264,6 +276,7 @@ bool Compilation::link(const std::vector<fs::path>& objects, const fs::path& wor
     replace_all(said, object.parent_path().string() + "/", "");
   for (const fs::path& input : tools_.inputs)
     replace_all(said, input.parent_path().string() + "/", "");
+  if (!outcome.succeeded()) said = in_plain_words(said) + said;
   add_harmless(messages, said);
   return outcome.succeeded() && take_elf(work.path() / "worker", worker, runnable);
 }

@@ -198,8 +198,8 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
   }
   if (files.files.empty()) {
     return unjudged(lab.lab, Status::not_submitted,
-                    fmt::format("{} was not handed in",
-                                lab.files.size() == 1 ? lab.files.front() : "none of its files"));
+                    lab.files.size() == 1 ? lab.files.front() + " was not handed in"
+                                          : "none of its files was handed in");
   }
   constexpr int attempts = 2;
   for (int attempt = 1;; ++attempt) {

@@ -32,6 +32,8 @@ for name in helpers missing; do
   mkdir -p "$class/$name"
   cp "$source"/solutions/08_path_tracer/steps/*.cpp "$class/$name/"
 done
+mkdir "$class/nothing"
+echo 'later' >"$class/nothing/notes.txt"
 helper "$class/helpers/b_direct.cpp" 2
 helper "$class/helpers/c_phong.cpp" 3
 helper "$class/helpers/h_path_tracer.cpp" 4
@@ -61,5 +63,8 @@ case $(points missing) in
 esac
 grep -q 'g_specular.cpp: cannot be linked' "$scratch/out/missing/report.txt" ||
   fail "nobody says which step cannot be linked"
-grep -q 'nowhere' "$scratch/out/missing/report.txt" || fail "nobody says why"
+grep -q 'lab08::nowhere() is called but never defined' "$scratch/out/missing/report.txt" ||
+  fail "nobody says why"
+grep -q 'none of its files was handed in' "$scratch/out/nothing/report.txt" ||
+  fail "nobody says that the lab is missing"
 echo passed

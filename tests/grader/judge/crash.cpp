@@ -1,5 +1,7 @@
 #include "grader/judge/crash.h"
 
+#include "grader/protocol/stack_report.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,14 +29,22 @@ std::string after(const std::string& said, std::string_view start, std::string_v
   return line.substr(0, line.find(end));
 }
 
-/// Returns the usual name for a signal that AddressSanitizer abbreviates.
+/// Says why a stack is full, and what to do. `size`: in MB; may be empty.
+std::string full_stack(const std::string& size) {
+  return fmt::format(
+      "the stack is full{}: a recursion goes too deep, or a local array is too large; use a loop, or a "
+      "std::vector",
+      size.empty() ? "" : fmt::format(" ({} MB)", size));
+}
+
+/// Returns the usual name for a signal that AddressSanitizer abbreviates, and for a full stack.
 std::string in_words(const std::string& word) {
   constexpr std::array<std::pair<std::string_view, int>, 5> signals{
       {{"SEGV", SIGSEGV}, {"ABRT", SIGABRT}, {"FPE", SIGFPE}, {"ILL", SIGILL}, {"BUS", SIGBUS}}};
   for (const auto& [name, signal] : signals) {
     if (word == name) return signal_name(signal);
   }
-  return word;
+  return word == "stack-overflow" ? full_stack("") : word;
 }
 
 /// Returns the library's message if std::terminate() ended the program; otherwise empty.
@@ -52,10 +62,11 @@ std::string termination(const std::string& said) {
          "join() or detach()";
 }
 
-/// Returns whether a line is the library's, before an abort.
+/// Returns whether a line is the library's, before an abort, or the worker's about its stack.
 bool is_of_library(const std::string& line) {
   return line.find(": Assertion '") != std::string::npos || line.rfind(thrown_type, 0) == 0 ||
-         line.rfind(thrown_words, 0) == 0 || line.rfind(nothing_thrown, 0) == 0;
+         line.rfind(thrown_words, 0) == 0 || line.rfind(nothing_thrown, 0) == 0 ||
+         line.rfind(stack_report, 0) == 0;
 }
 
 std::string cause_of(const Outcome& outcome) {
@@ -64,6 +75,9 @@ std::string cause_of(const Outcome& outcome) {
   if (at != std::string::npos && size != std::string::npos && size - at < 60) {
     return "an index outside of its vector, array or span";
   }
+  // A student may print this, too: it is a message, and marks do not depend on it.
+  const std::string stack = after(outcome.output, stack_report, stack_report_end);
+  if (outcome.code == SIGSEGV && !stack.empty()) return full_stack(stack.substr(0, 6));
   std::string terminated = termination(outcome.output);
   if (!terminated.empty()) return terminated;
   const std::string memory = after(outcome.output, address_report, " on ");

@@ -47,6 +47,13 @@ TEST_CASE("a crash is told by its signal, the library's check or the sanitizer's
   Outcome illegal = crash("");
   illegal.code = SIGILL;
   CHECK(crash_cause(illegal) == "illegal instruction");
+  Outcome deep = crash("the stack is full: 8 MB\n");
+  deep.code = SIGSEGV;
+  CHECK(crash_cause(deep) ==
+        "the stack is full (8 MB): a recursion goes too deep, or a local array is too large; use a "
+        "loop, or a std::vector");
+  // Only a bad access can come from it.
+  CHECK(crash_cause(crash(deep.output)) == signal_name(SIGABRT));
   // A program's own output about itself is no report.
   CHECK(crash_cause(crash("labs/02_pi/pi.cpp:9\n")) == signal_name(SIGABRT));
 }

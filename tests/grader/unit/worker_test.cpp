@@ -12,6 +12,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -144,6 +145,22 @@ TEST_CASE("a crash names its signal", "[worker]") {
   CHECK(result.status == Status::crashed);
   // Under sanitizers the null pointer is reported before it is used.
   CHECK((address_sanitizer() || has(result.message, "segmentation fault")));
+}
+
+TEST_CASE("a full stack is told from other bad accesses", "[worker]") {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur > std::size_t{64} << 20)
+    SKIP("stacks have no limit here, or a large one");
+  const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  for (const char* probe : {"recursion too deep", "local array too large"}) {
+    // Clang's sanitizer ends without a report where it marks the ends of such an array.
+    if (address_sanitizer() && std::string(probe) == "local array too large") continue;
+    const Result result = run(level, probe);
+    INFO(probe << ": " << result.message << " | " << result.printed);
+    CHECK(result.status == Status::crashed);
+    CHECK(has(result.message, "it crashed: the stack is full"));
+    CHECK(result.printed.empty());
+  }
 }
 
 TEST_CASE("writing next to an array is noticed in every build", "[worker]") {

@@ -6,6 +6,7 @@
 #include "course/cli/wrap.h"
 #include "course/not_implemented.h"
 #include "grader/protocol/rows_text.h"
+#include "grader/worker/full_stack.h"
 #include "grader/worker/probe.h"
 #include "support/error.h"
 
@@ -97,6 +98,7 @@ int main(int argc, char** argv) {
   const auto found = probes().find(name);
   if (found == probes().end()) throw Error("no probe \"{}\"", name);
   if (!shape.empty()) return names_fit(found->second.names, shape[0], shape[1]) ? 0 : 1;
+  report_full_stack();
   const Frame frame = run(found->second.run, params_from_text(text));
   if (as_text.given()) return print(frame, found->second, rows);
   std::fflush(nullptr);
