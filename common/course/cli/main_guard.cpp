@@ -2,21 +2,32 @@
 
 #include "support/error.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 namespace carlo {
+namespace {
+
+/// Not fmt::print(), which throws if stderr is closed or its disk is full.
+void print_error(const std::string& line) {
+  std::fputs((line + "\n").c_str(), stderr);
+}
+
+}  // namespace
 
 int run_main(const std::function<int()>& body) {
   try {
     return body();
   } catch (const PlacedError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_error(error.what());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory\n");
+    std::fputs("error: out of memory\n", stderr);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_error(fmt::format("error: {}", error.what()));
   }
   return 1;
 }
