@@ -32,10 +32,26 @@ RTCRay ray_of(const MeshRays& rays, std::size_t i) {
   return ray;
 }
 
+/// Of two triangles back to back only the one that faces the ray is met. We make only single rays.
+void pass_backs(const RTCFilterFunctionNArguments* args) {
+  const auto& mesh = *static_cast<const Mesh*>(args->geometryUserPtr);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  if (args->valid[0] == 0 || mesh.back_to_back[hit.primID] == 0) return;
+  const auto& ray = *reinterpret_cast<const RTCRay*>(args->ray);
+  const glm::uvec3 corner = mesh.triangles[hit.primID];
+  const glm::dvec3 a(mesh.positions[corner.x]), b(mesh.positions[corner.y]),
+      c(mesh.positions[corner.z]), d(ray.dir_x, ray.dir_y, ray.dir_z);
+  if (glm::dot(glm::cross(b - a, c - a), d) > 0) args->valid[0] = 0;
+}
+
 }  // namespace
 
 RTCGeometry embree_triangles(RTCDevice device, const Mesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  if (!mesh.back_to_back.empty()) {
+    rtcSetGeometryUserData(geometry, const_cast<Mesh*>(&mesh));
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_backs);
+  }
   copy(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
   copy(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
   return geometry;

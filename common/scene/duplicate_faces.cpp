@@ -1,11 +1,14 @@
 #include "scene/duplicate_faces.h"
 
+#include "scene/needs.h"
 #include "scene/repeats.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <span>
+#include <variant>
 
 namespace carlo {
 namespace {
@@ -25,11 +28,29 @@ bool same_around(std::size_t count, const A& a, const B& b) {
 class DuplicateFaces {
  public:
   DuplicateFaces(const MeshFile& file, const std::vector<Vec3>& positions,
-                 std::vector<char>& left_out)
-      : file_(file), positions_(positions), left_out_(left_out) {
+                 const std::vector<char>& turned, std::vector<char>& left_out)
+      : file_(file), positions_(positions), turned_(turned), left_out_(left_out) {
     keys_.reserve(positions.size());
     for (const Vec3 p : positions)
       keys_.push_back(key_of(p));
+  }
+
+  /// Marks polygons with the same corners that face each other's back.
+  std::vector<char> back_to_back() const {
+    std::vector<char> marked(file_.triangles.size());
+    const auto mark = [&](const Polygon& p) {
+      std::fill_n(marked.begin() + static_cast<std::ptrdiff_t>(p.first_triangle), p.corners - 2,
+                  char{1});
+    };
+    find_repeats(
+        keys_of_polygons(),
+        [&](std::size_t i, std::size_t k) {
+          const Polygon &a = file_.polygons[i], &b = file_.polygons[k];
+          const auto one = turned(a), other = turned(b);
+          return one && other && same(corners_of(a), corners_of(b), *one == *other);
+        },
+        [&](std::size_t i, std::size_t k) { mark(file_.polygons[i]), mark(file_.polygons[k]); });
+    return marked;
   }
 
   std::size_t mark() {
@@ -39,10 +60,23 @@ class DuplicateFaces {
   }
 
  private:
-  bool same(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
-    return a.size() == b.size() && same_around(
-                                       a.size(), [&](std::size_t i) { return positions_[a[i]]; },
-                                       [&](std::size_t i) { return positions_[b[i]]; });
+  /// `reversed`: the corners of one run the other way around.
+  bool same(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
+            bool reversed) const {
+    return a.size() == b.size() &&
+           same_around(
+               a.size(), [&](std::size_t i) { return positions_[a[i]]; },
+               [&](std::size_t i) { return positions_[b[reversed ? b.size() - 1 - i : i]]; });
+  }
+
+  /// Whether the triangles of a polygon are turned over; nothing if only some are.
+  std::optional<bool> turned(const Polygon& p) const {
+    const std::size_t triangles = p.corners - 2;
+    const auto first = turned_.begin() + static_cast<std::ptrdiff_t>(p.first_triangle);
+    const auto count = static_cast<std::size_t>(
+        std::count(first, first + static_cast<std::ptrdiff_t>(triangles), char{1}));
+    if (count != 0 && count != triangles) return std::nullopt;
+    return count != 0;
   }
 
   std::uint64_t key(std::span<const std::uint32_t> corners) const {
@@ -56,16 +90,22 @@ class DuplicateFaces {
     return std::span(file_.polygon_corners).subspan(p.first_corner, p.corners);
   }
 
-  std::size_t mark_polygons() {
+  std::vector<std::uint64_t> keys_of_polygons() const {
     std::vector<std::uint64_t> keys;
     keys.reserve(file_.polygons.size());
     for (const Polygon& p : file_.polygons)
       keys.push_back(key(corners_of(p)));
+    return keys;
+  }
+
+  std::size_t mark_polygons() {
     std::size_t count = 0;
     find_repeats(
-        keys,
+        keys_of_polygons(),
         [&](std::size_t i, std::size_t k) {
-          return same(corners_of(file_.polygons[i]), corners_of(file_.polygons[k]));
+          const Polygon &a = file_.polygons[i], &b = file_.polygons[k];
+          const auto one = turned(a), other = turned(b);
+          return one && other && same(corners_of(a), corners_of(b), *one != *other);
         },
         [&](std::size_t i, std::size_t) {
           const Polygon& p = file_.polygons[i];
@@ -87,7 +127,8 @@ class DuplicateFaces {
     find_repeats(
         keys,
         [&](std::size_t i, std::size_t k) {
-          return left_out_[i] == 0 && left_out_[k] == 0 && same(corners(i), corners(k));
+          return left_out_[i] == 0 && left_out_[k] == 0 &&
+                 same(corners(i), corners(k), turned_[i] != turned_[k]);
         },
         [&](std::size_t i, std::size_t) {
           left_out_[i] = 1;
@@ -98,6 +139,7 @@ class DuplicateFaces {
 
   const MeshFile& file_;
   const std::vector<Vec3>& positions_;
+  const std::vector<char>& turned_;
   std::vector<char>& left_out_;
   std::vector<std::uint64_t> keys_;  ///< of the positions
 };
@@ -118,8 +160,55 @@ bool same_triangle(const Triangle& a, const Triangle& b) {
 }
 
 std::size_t mark_duplicate_faces(const MeshFile& file, const std::vector<Vec3>& positions,
-                                 std::vector<char>& left_out) {
-  return DuplicateFaces(file, positions, left_out).mark();
+                                 const std::vector<char>& turned, std::vector<char>& left_out) {
+  return DuplicateFaces(file, positions, turned, left_out).mark();
+}
+
+std::vector<char> polygons_back_to_back(const MeshFile& file, const std::vector<Vec3>& positions,
+                                        const std::vector<char>& turned) {
+  std::vector<char> none(file.triangles.size());
+  return DuplicateFaces(file, positions, turned, none).back_to_back();
+}
+
+void mark_back_to_back(Scene& scene) {
+  struct Face {
+    Mesh* mesh;
+    std::size_t triangle;
+    Triangle corners() const {
+      const glm::uvec3 t = mesh->triangles[triangle];
+      return {mesh->positions[t.x], mesh->positions[t.y], mesh->positions[t.z]};
+    }
+  };
+  std::vector<Face> faces;
+  std::vector<std::uint64_t> keys;
+  for (Shape& shape : scene.shapes) {
+    auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (mesh == nullptr) continue;
+    if (passes_light(scene.materials.at(shape.material))) {
+      mesh->back_to_back.clear();
+      continue;
+    }
+    std::vector<std::uint64_t> corners;
+    corners.reserve(mesh->positions.size());
+    for (const Vec3 p : mesh->positions)
+      corners.push_back(key_of(p));
+    for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
+      const glm::uvec3 t = mesh->triangles[i];
+      faces.push_back({mesh, i});
+      keys.push_back(spread(corners[t.x] + corners[t.y] + corners[t.z]));
+    }
+  }
+  const auto mark = [](const Face& face) {
+    face.mesh->back_to_back.resize(face.mesh->triangles.size());
+    face.mesh->back_to_back[face.triangle] = 1;
+  };
+  find_repeats(
+      keys,
+      [&](std::size_t i, std::size_t k) {
+        const auto [a, b, c] = faces[k].corners();
+        return same_triangle(faces[i].corners(), {c, b, a});
+      },
+      [&](std::size_t i, std::size_t k) { mark(faces[i]), mark(faces[k]); });
 }
 
 }  // namespace carlo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/mesh_file.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <cstddef>
@@ -18,10 +19,22 @@ using Triangle = std::array<Vec3, 3>;
 bool same_triangle(const Triangle& a, const Triangle& b);
 
 /// Marks duplicate faces of a mesh in `left_out`, by triangles: faces with exactly the same corners
-/// in the same cyclic order as an earlier one. `positions` are those of the file's vertices,
-/// perhaps transformed. Returns the number of faces; ignores triangles that are marked already. A
-/// ray meets a duplicated surface once, but it would be two lights.
+/// as an earlier one, facing the same way. `positions` are those of the file's vertices, perhaps
+/// transformed; `turned` says which triangles will be turned over. Returns the number of faces;
+/// ignores triangles that are marked already. A ray meets a duplicated surface once, but it would
+/// be two lights.
 std::size_t mark_duplicate_faces(const MeshFile& file, const std::vector<Vec3>& positions,
-                                 std::vector<char>& left_out);
+                                 const std::vector<char>& turned, std::vector<char>& left_out);
+
+/// Marks the triangles of polygons that lie on another one of the file, facing the other way: their
+/// triangles need not coincide, for the diagonals may be others.
+std::vector<char> polygons_back_to_back(const MeshFile& file, const std::vector<Vec3>& positions,
+                                        const std::vector<char>& turned);
+
+/// Sets Mesh::back_to_back for triangles in the scene's meshes that lie on another one, facing the
+/// other way, and clears it in meshes of glass, which a ray meets from both sides. Exporters of
+/// two-sided surfaces write such pairs; which of the two a ray met was chance, and a light that is
+/// met from behind is dark.
+void mark_back_to_back(Scene& scene);
 
 }  // namespace carlo

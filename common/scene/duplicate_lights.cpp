@@ -207,9 +207,11 @@ class DuplicateLights {
       if (t.x == t.y && t.y == t.z) continue;
       mesh.triangles[kept] = t;
       if (!mesh.normals_of.empty()) mesh.normals_of[kept] = mesh.normals_of[i];
+      if (!mesh.back_to_back.empty()) mesh.back_to_back[kept] = mesh.back_to_back[i];
       ++kept;
     }
     mesh.triangles.resize(kept);
+    if (!mesh.back_to_back.empty()) mesh.back_to_back.resize(kept);
     if (!mesh.normals_of.empty()) mesh.normals_of.resize(kept);
   }
 

@@ -88,7 +88,8 @@ class Digest {
     add_all(center, normal, radius);
   }
   void add(const Mesh& s) {
-    const auto& [positions, triangles, normals, normals_of] = s;
+    const auto& [positions, triangles, normals, normals_of, back_to_back] = s;
+    (void)back_to_back;  // follows from the others
     add_all(positions, triangles);
     // Meshes without vertex normals keep the fingerprint that they had before these existed.
     if (!normals_of.empty()) add_all(normals, normals_of);

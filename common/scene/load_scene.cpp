@@ -2,6 +2,7 @@
 
 #include "scene/center.h"
 #include "scene/digits.h"
+#include "scene/duplicate_faces.h"
 #include "scene/duplicate_lights.h"
 #include "scene/envmap_file.h"
 #include "scene/grammar.h"
@@ -87,6 +88,7 @@ class Loader {
     errors_.raise();
     scene_.materials = materials_.list();
     leave_out_duplicate_lights(scene_, start);
+    mark_back_to_back(scene_);
     add_notes();
     return std::move(scene_);
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -57,17 +58,23 @@ class MeshBuilder {
   /// that.
   Mesh build(bool mirrored, bool flipped) {
     leave_out_degenerate();
-    duplicates_ = mark_duplicate_faces(file_, mesh_.positions, left_out_);
+    std::vector<char> turned_over(file_.triangles.size());
+    for (std::size_t i = 0; i < file_.triangles.size(); ++i)
+      turned_over[i] = is_turned(i, mirrored) != flipped ? 1 : 0;
+    duplicates_ = mark_duplicate_faces(file_, mesh_.positions, turned_over, left_out_);
+    const auto back_to_back = polygons_back_to_back(file_, mesh_.positions, turned_over);
+    const bool any = std::find(back_to_back.begin(), back_to_back.end(), 1) != back_to_back.end();
     mesh_.triangles.reserve(file_.triangles.size());
     for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
       if (left_out_[i] != 0) continue;
       const glm::uvec3 t = file_.triangles[i];
       const glm::uvec3 n = mesh_.normals.empty() ? glm::uvec3(Mesh::flat) : normals_of(i);
       flat_ += n.x == Mesh::flat ? 1 : 0;
-      const bool turned = (n.x == Mesh::flat ? mirrored : points_against(n, t)) != flipped;
+      const bool turned = turned_over[i] != 0;
       const auto turn = [turned](glm::uvec3 c) { return turned ? glm::uvec3(c.x, c.z, c.y) : c; };
       mesh_.triangles.push_back(turn(t));
       if (!mesh_.normals.empty()) mesh_.normals_of.push_back(turn(n));
+      if (any) mesh_.back_to_back.push_back(back_to_back[i]);
     }
     leave_out_unused();
     return std::move(mesh_);
@@ -98,15 +105,23 @@ class MeshBuilder {
     return glm::dot(wound, normal(0) + normal(1) + normal(2)) < 0;
   }
 
-  glm::uvec3 normals_of(std::size_t triangle) {
+  /// Whether its vertex normals, or where it has none its mirrored place, turn a triangle over.
+  bool is_turned(std::size_t triangle, bool mirrored) const {
+    if (mesh_.normals.empty() || !has_normals(triangle)) return mirrored;
+    return points_against(file_.normals_of[triangle], file_.triangles[triangle]);
+  }
+
+  bool has_normals(std::size_t triangle) const {
     const glm::uvec3 t = file_.normals_of[triangle];
-    if (t.x == MeshFile::no_normal) return glm::uvec3(Mesh::flat);
-    for (int k = 0; k < 3; ++k) {
-      if (mesh_.normals[t[k]] != Vec3(0)) continue;
-      ++without_direction_;
-      return glm::uvec3(Mesh::flat);
-    }
-    return t;
+    if (t.x == MeshFile::no_normal) return false;
+    const auto has_direction = [&](std::uint32_t n) { return mesh_.normals[n] != Vec3(0); };
+    return has_direction(t.x) && has_direction(t.y) && has_direction(t.z);
+  }
+
+  glm::uvec3 normals_of(std::size_t triangle) {
+    if (has_normals(triangle)) return file_.normals_of[triangle];
+    without_direction_ += file_.normals_of[triangle].x == MeshFile::no_normal ? 0 : 1;
+    return glm::uvec3(Mesh::flat);
   }
 
   void leave_out_degenerate() {

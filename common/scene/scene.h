@@ -78,6 +78,9 @@ struct Mesh {
   /// Both are empty if no triangle has any.
   std::vector<Vec3> normals = {};
   std::vector<glm::uvec3> normals_of = {};
+  /// True for triangles that lie exactly on another one of the scene that faces the other way
+  /// (mark_back_to_back()); empty if there are none. A ray meets the one that faces it.
+  std::vector<char> back_to_back = {};
   static constexpr std::uint32_t flat = 0xFFFFFFFF;
 };
 

@@ -132,6 +132,23 @@ TEST_CASE("vertex normals decide which side is outside", "[scene]") {
             "of all 2 faces point against their triangles, and decide which side is outside") == 1);
 }
 
+TEST_CASE("duplicate faces are those that face the same way, as vertex normals have it",
+          "[scene]") {
+  const auto triangles = [](const std::string& faces, std::size_t back_to_back) {
+    const Scene scene = load_obj(scene_test::unit_square + "vn 0 0 1\nvn 0 0 -1\n" + faces);
+    const auto& marked = mesh_of(scene).back_to_back;
+    CHECK(static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) == back_to_back);
+    return mesh_of(scene).triangles.size();
+  };
+  const std::string up = "f 1//1 2//1 3//1 4//1\n", other_way_up = "f 4//1 3//1 2//1 1//1\n",
+                    down = "f 1//2 2//2 3//2 4//2\n", half_down = "f 2//2 1//2 3//2\n";
+  CHECK(triangles(up + other_way_up, 0) == 2);
+  CHECK(triangles(up + down, 4) == 4);
+  CHECK(triangles(up + half_down, 2) == 3);
+  CHECK(triangles("f 1 2 3 4\nf 4 3 2 1\n", 4) == 4);  // with other diagonals
+  CHECK(triangles("f 1 2 3 4\nf 2 3 4\n", 0) == 3);
+}
+
 TEST_CASE("vertex normals without a direction leave their triangles flat", "[scene]") {
   const Scene scene = load_obj(scene_test::unit_square +
                                "vn 0 0 0\nvn 0 0 2\nf 1//1 2//2 3//2\nf 1//2 3//2 4//2\n");

@@ -2,6 +2,7 @@
 // the standard error must be below .5 %; seeds are fixed.
 
 #include "renderer/lanes/lane_kernel.h"
+#include "scene/duplicate_faces.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -215,4 +216,47 @@ TEST_CASE("Vertex normals: light paths are refused, and never chosen") {
   CHECK_THROWS_WITH(renderer::make_path_integrator(scene, {.technique = bidirectional}),
                     Catch::Matchers::ContainsSubstring("light paths do not know vertex normals"));
   CHECK(renderer::make_path_integrator(scene, {.technique = automatic})->light_paths() == 0);
+}
+
+TEST_CASE("Triangles back to back: a ray meets the one that faces it") {
+  // A point below the middle of a square of half side 1 at height 1.5, of radiance 1, that shines
+  // both ways; a ray may count for half of the light by MIS, and must meet the right half.
+  const double x = 1 / 1.5 / std::sqrt(1 + 1 / (1.5 * 1.5));
+  const double exact = 0.5 * 4 / pi * x * std::atan(x);
+  for (const float size : {1e-3f, 1.0f, 1e5f}) {
+    for (const bool apart : {false, true}) {
+      INFO("half side " << size << ", " << (apart ? "two meshes" : "one mesh"));
+      Mesh up;
+      up.positions = {{-1, -1, 1.5f}, {1, -1, 1.5f}, {1, 1, 1.5f}, {-1, 1, 1.5f}};
+      for (Vec3& p : up.positions)
+        p *= size;
+      up.triangles = {{0, 1, 2}, {0, 2, 3}};
+      Mesh down = up;
+      down.triangles = {{1, 0, 2}, {2, 0, 3}};
+      Scene scene;
+      scene.width = scene.height = 4;
+      scene.max_depth = 2;
+      scene.sampler = SamplerKind::independent;
+      scene.camera = look_at({3 * size, 0, size}, {0, 0, 0}, {0, 1, 0}, 0.01f);
+      scene.materials = {{Diffuse{Rgb(0.5f)}, false}};
+      scene.shapes = {
+          {Parallelogram{{-5 * size, -5 * size, 0}, {10 * size, 0, 0}, {0, 10 * size, 0}}}};
+      if (apart) {
+        scene.shapes.push_back({up, 0, Rgb(1)});
+        scene.shapes.push_back({down, 0, Rgb(1)});
+      } else {
+        for (const glm::uvec3 t : down.triangles)
+          up.triangles.push_back(t);
+        scene.shapes.push_back({up, 0, Rgb(1)});
+      }
+      mark_back_to_back(scene);
+      check_mean(scene, exact);
+      // Glass is met from both sides.
+      scene.materials = {{Dielectric{1.5f, 1}, false}};
+      for (Shape& shape : scene.shapes)
+        if (auto* mesh = std::get_if<Mesh>(&shape.geometry)) mesh->back_to_back.clear();
+      mark_back_to_back(scene);
+      CHECK(std::get<Mesh>(scene.shapes.back().geometry).back_to_back.empty());
+    }
+  }
 }
