@@ -57,12 +57,11 @@ function figuresOf({ book }, lab) {
   });
 }
 
-function decksOf({ book, decks }, lab) {
-  const items = book.decks.filter((deck) => deck.number === lab.digits).map((deck) => {
+function decksOf({ book, decks }, wanted) {
+  return book.decks.filter(wanted).map((deck) => {
     const file = `${deck.name}.html`, words = `${escaped(deck.front.title)}, ${deck.slides.length} slides, ${deck.front.minutes} minutes`;
     return `<li>${decks.has(file) ? `<a href="slides/${file}">${words}</a>` : words}</li>`;
-  });
-  return items.length ? `<p>The lecture’s ${items.length > 1 ? "decks" : "deck"} for this lab:</p><ul>${items.join("")}</ul>` : "";
+  }).join("");
 }
 
 /** `text`: the handout. */
@@ -79,7 +78,8 @@ ${live.map((name) => `<article class="live" id="${name}"></article>`).join("\n")
     ["formulas", "The lecture’s formulas", formulas.length && formulas.map((one) =>
       `<div class="formula" tabindex="0" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
     ["plots", "Measured by the lab’s experiments", figures.length && `<p>From runs of <code>./carlo lab ${lab.number} --solutions</code>,
-as the lecture shows them.</p><div class="charts plots">${figures.join("\n")}</div>${decksOf(context, lab)}`],
+as the lecture shows them.</p><div class="charts plots">${figures.join("\n")}</div>
+<p>The lecture’s slides for this lab:</p><ul>${decksOf(context, (deck) => deck.number === lab.digits)}</ul>`],
   ].filter(([, , body]) => body);
   return page(context, {
     name: lab.page,
@@ -113,6 +113,8 @@ ${escaped(lab.title)}</a></li>`).join("\n");
 <pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
 <p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
 dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
+<section><h2>For a course</h2><div class="text">${markdown.render(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}</div>
+<p>The slides:</p><ul>${decksOf(context, () => true)}</ul></section>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
 <section><h2>How fast, how accurate</h2><div class="text">${markdown.render(part("    ./carlo bench render\n", "    ./carlo test --hard")).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div>

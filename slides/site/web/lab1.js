@@ -16,6 +16,8 @@ carlo.experiment("curse", {
   intro: "A rule of lab 1.4 nested in every dimension, against Monte Carlo, on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
   question: "from which dimension on does Monte Carlo fall faster than the midpoint rule?",
   choices: ["2", "3", "5", "9", "never"],
+  answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 both are alike.",
+  asked: { d: 5, f: 0, rule: 0 },
   controls: {
     d: { label: "dimensions d", min: 1, max: 10, step: 1, value: 4 },
     f: { label: "integrand", options: ["exp(x₁ + … + x_d)", "1 in the unit ball, else 0"], value: 0 },
@@ -41,8 +43,8 @@ carlo.experiment("curse", {
     const fits = await view.ladder({ methods, ylabel: "relative error",
                                      runs: (n) => Math.max(16, Math.min(64, Math.round(2e5 / n))) });
     view.slopes(methods, fits);
-    view.say(fits[1] ? `In ${d} dimension${d > 1 ? "s" : ""} the rule's error falls as N to the ${carlo.digits(fits[1][0])}` +
-      `${smooth ? ` (theory for many points: ${carlo.digits(-ruleOrder[rule] / d)})` : ""}, Monte Carlo's to the ${carlo.digits(fits[0][0])}.`
+    view.say(fits[1] ? `In ${d} dimension${d > 1 ? "s" : ""} the rule's error falls as N<sup>${carlo.digits(fits[1][0])}</sup>` +
+      `${smooth ? ` (theory for many points: ${carlo.digits(-ruleOrder[rule] / d)})` : ""}, Monte Carlo's as N<sup>${carlo.digits(fits[0][0])}</sup>.`
       : `The budget allows ${sides.size} size${sides.size === 1 ? "" : "s"} of the rule in ${d} dimensions, too few for a slope; Monte Carlo's is ${carlo.digits(fits[0][0])}.`);
   },
 });
@@ -52,6 +54,8 @@ carlo.experiment("spike", {
   intro: "The integrand is 1 everywhere on [0, 1] and 1 + 1/w on a spike of width w: half of its integral, 2, sits where a uniform point falls with probability w, like a small bright light. A thousand runs, each with its 95 % interval by lab 1.3.",
   question: "of 1000 intervals with N = 1/w points each, how many hold the integral?",
   choices: ["about 950", "about 800", "about 600", "hardly any"],
+  answer: "about 600. A share (1 − w)ᴺ, some 37 %, of the runs never meets the spike, and their intervals are empty.",
+  asked: { w: 0.001, n: 1000 },
   controls: {
     w: { label: "width w of the spike", steps: [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001], value: 0.001 },
     n: { label: "points N a run", steps: [10, 30, 100, 300, 1000, 3000, 10000, 30000], value: 1000 },

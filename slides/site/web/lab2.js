@@ -7,6 +7,7 @@ carlo.experiment("darts", {
   intro: "Darts fall uniformly on the unit square; four times the share inside the quarter disc estimates π. Two other integrands with the same integral compete: the circle's height 4 √(1 − x²) and the arctangent's derivative 4/(1 + x²).",
   question: "how many more darts than samples of 4/(1 + x²) does the same error take?",
   choices: ["as many", "twice as many", "about six times", "a hundred times"],
+  answer: "about six times, the ratio of the two variances.",
   controls: {
     n: { label: "darts N, at most", steps: dartSizes(2 ** 22), value: 65536 },
   },
@@ -41,6 +42,8 @@ carlo.experiment("intervals", {
   intro: "Each run throws N darts and gives two intervals for π: estimate ± z standard errors (lab 2.1), and Wilson's score interval (lab 2.2).",
   question: "with N = 16 and z = 1.96, which of the two keeps the promise of 95 % better?",
   choices: ["estimate ± 1.96 standard errors", "Wilson's", "both keep it"],
+  answer: "Wilson's. The simple interval has no width where all darts or none are inside, and is too narrow near that.",
+  asked: { n: 16, z: 1.96 },
   controls: {
     n: { label: "darts N a run", steps: [4, 8, 16, 32, 64, 128, 256, 1024, 4096], value: 16 },
     z: { label: "z", steps: [1, 1.645, 1.96, 2.576], value: 1.96, unit: "standard deviations" },

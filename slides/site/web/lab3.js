@@ -33,6 +33,8 @@ carlo.experiment("planes", {
   intro: "Three successive numbers of x → (a x + b) mod c, divided by c, are a point of the cube. All such points lie on parallel planes; the spectral test (lab 3.8, and its search in more dimensions) finds the greatest distance 1/ν between neighbouring ones.",
   question: "on how many planes do all triples of RANDU lie?",
   choices: ["15", "about 150", "about 1600", "they fill the cube"],
+  answer: "15. RANDU's numbers satisfy xₙ₊₂ = 6 xₙ₊₁ − 9 xₙ modulo 2³¹.",
+  asked: { which: 0 },
   controls: { ...lcgControls, n: { label: "triples", steps: [1000, 2000, 4000, 8000, 16000], value: 4000 } },
   async run(values, view) {
     const lcg = lcgOf(values), { a, b, c, lattice } = lcg;
@@ -93,8 +95,10 @@ const testNames = ["χ², top 10 bits", "χ², low 8 bits", "lag-1 correlation",
 carlo.experiment("battery", {
   title: "Which tests catch it",
   intro: "The lab's battery of statistical tests on growing numbers of words. A test catches a generator where its p-value is below 10⁻⁹; a good generator gives p-values uniform on [0, 1].",
-  question: "which simple test cannot see RANDU's planes however long it looks?",
+  question: "RANDU's triples lie on few planes. Which test sees it?",
   choices: ["the frequencies of single numbers", "pairs as points of a square", "triples as points of a cube"],
+  answer: "triples. Numbers and pairs of them look right, as long as their leading bits are taken; that low bits fail is another fault, their short period.",
+  asked: { which: 0, k: 16 },
   controls: { ...lcgControls, k: { label: "words, at most", steps: [12, 14, 16, 18, 20], value: 16, text: (k) => carlo.digits(2 ** k, 7) } },
   async run(values, view) {
     const { a, b, c, name } = lcgOf(values), x = firstOf(values);

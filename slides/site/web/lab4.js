@@ -30,10 +30,11 @@ carlo.experiment("strata", {
   intro: "The same number of points, placed in five ways: independent, one in each cell of a grid (lab 4.3), one in each row and column (lab 4.4), Halton's and Sobol's points (randomised). Each point is uniform by itself, so each average is unbiased.",
   question: "four times as many jittered points on the smooth integrand: how many times smaller is the error?",
   choices: ["2", "4", "8"],
+  answer: "4. The error of jittered points in two dimensions falls as 1/N where the integrand is smooth, and as N to the −3/4 across an edge.",
   controls: {
     set: { label: "points", options: setNames, value: 1 },
     f: { label: "integrand, on the unit square", options: integrandNames, value: 0 },
-    n: { label: "points shown N", steps: [16, 64, 256, 1024], value: 64 },
+    n: { label: "points in the picture", steps: [16, 64, 256, 1024], value: 64 },
   },
   async run({ set, f, n, seed }, view) {
     const xy = carlo.call("4.points", set, n, seed), cells = Math.sqrt(n);
@@ -64,6 +65,8 @@ carlo.experiment("recursive", {
   intro: "Recursive stratification (lab 4.6) halves a box along the axis along which it varies more, gives more points to the half that varies more, and goes on until few points are left.",
   question: "on the narrow peak, N = 4096: how does its error compare with that of independent points?",
   choices: ["as large", "about half", "a tenth or less"],
+  answer: "a tenth or less. Where strata are small the integrand hardly varies within one.",
+  asked: { f: 2, n: 4096 },
   controls: {
     f: { label: "integrand, on the unit square", options: integrandNames, value: 2 },
     n: { label: "points N", steps: [16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384], value: 1024 },
@@ -87,6 +90,6 @@ carlo.experiment("recursive", {
     const fits = await view.ladder({ methods, runs: (size) => Math.max(16, Math.min(64, Math.round(2e5 / size))) });
     view.slopes(methods, fits);
     const plain = carlo.call("4.set", 0, f, n >= 1024 ? n : 1024, 64, seed)[0], split = carlo.call("4.recursive", f, n >= 1024 ? n : 1024, 64, seed)[0];
-    view.say(`With ${carlo.digits(Math.max(n, 1024))} points its RMS error is ${carlo.digits(split)}, that of independent points ${carlo.digits(plain)}: ${carlo.digits(plain / split)} times as large.`);
+    view.say(`With ${carlo.digits(Math.max(n, 1024))} points its RMS error is ${carlo.digits(split)}: ${carlo.digits(100 * split / plain)} % of that of independent points, ${carlo.digits(plain)}.`);
   },
 });

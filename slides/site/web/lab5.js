@@ -6,7 +6,7 @@ const shapes = [
   { name: "a hill", f: (x) => Math.exp(-8 * (x - 0.4) ** 2) },
   { name: "a line", f: (x) => x },
   { name: "two lights", f: (x) => (Math.abs(x - 0.2) < 0.05 ? 1 : Math.abs(x - 0.75) < 0.1 ? 0.4 : 0.02) },
-  { name: "one bright bin", f: (x) => (Math.abs(x - 0.5) < 0.03 ? 1 : 0.01) },
+  { name: "one bright bin", f: (x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0.01) },
   { name: "constant", f: () => 0.6 },
 ];
 const shapeOf = (which) => Array.from({ length: binCount }, (_, i) => shapes[which].f((i + 0.5) / binCount));
@@ -59,6 +59,8 @@ carlo.experiment("drawn", {
   intro: "A table of 24 bins, sampled by inversion of its sums (lab 5.5), by rejection of darts below its highest bar (lab 5.7), and by Vose's alias table. All three give the same density; the cost differs.",
   question: "which shape makes rejection expensive?",
   choices: ["a constant", "a line", "one bright bin"],
+  answer: "one bright bin. Darts fall evenly below its height, and most of them beside it.",
+  asked: { shape: 3 },
   controls: {
     shape: { label: "start from", options: shapes.map(({ name }) => name), value: 0 },
     n: { label: "samples N", steps: [100, 1000, 10000, 100000], value: 10000 },
@@ -69,8 +71,7 @@ carlo.experiment("drawn", {
     for (const [way, name] of ways.entries()) {
       const [found, seconds] = view.timed(() => carlo.call("5.histogram", way, n, seed, ...drawn));
       all.push(found);
-      const darts = way === 1 ? found[binCount] / n : 1;
-      rows.push([name, carlo.digits(darts), `${carlo.digits(1e9 * seconds / n)} ns`]);
+      rows.push([name, way === 1 ? carlo.digits(found[binCount] / n) : "none", `${carlo.digits(1e9 * seconds / n)} ns`]);
       await view.pause();
     }
     let waiting;
@@ -79,7 +80,7 @@ carlo.experiment("drawn", {
       waiting = setTimeout(() => document.querySelector("#drawn form").requestSubmit(), 120);
     });
     const accepted = carlo.call("5.accepted", ...drawn)[0];
-    view.table("The cost of a sample", ["", "darts", "time here"], rows, `closed form for rejection: ${carlo.digits(1 / accepted)} darts`);
+    view.table("The cost of a sample", ["", "darts", "time here"], rows, `closed form for rejection: ${carlo.digits(1 / accepted)} darts a sample; times vary with what else runs`);
     const sum = drawn.reduce((a, b) => a + b), sizes = [64, 256, 1024, 4096, 16384, 65536];
     const deviation = Math.sqrt(drawn.reduce((total, weight) => total + weight / sum * (1 - weight / sum), 0) / binCount);
     const methods = ways.map((name, way) => ({ name, sizes,
@@ -98,6 +99,8 @@ carlo.experiment("power", {
   intro: "The density (n + 1) xⁿ on [0, 1] (lab 5.3): inversion takes one power a sample, rejection throws darts at the unit square until one falls below xⁿ.",
   question: "n = 63: how many darts a sample?",
   choices: ["2", "8", "64", "4096"],
+  answer: "64. The area below xⁿ is 1/(n + 1) of the square.",
+  asked: { e: 63 },
   controls: {
     e: { label: "exponent n", steps: [0, 1, 3, 7, 15, 31, 63, 127, 255], value: 15 },
     n: { label: "samples N", steps: [1000, 10000, 100000], value: 10000 },
@@ -130,9 +133,10 @@ carlo.experiment("power", {
 
 carlo.experiment("disc", {
   title: "Points of a disc",
-  intro: "Darts at the square around the disc, or inversion of radius and angle (lab 5.8). Inversion takes stratified numbers to stratified points; rejection throws the strata away.",
+  intro: "Darts at the square around the disc, or inversion of radius and angle (lab 5.8).",
   question: "does it matter for the error of an average over the disc?",
   choices: ["no: both are uniform", "yes: strata survive inversion, and the error falls faster"],
+  answer: "yes. Rejection throws away numbers of some strata and keeps others; inversion maps every stratum to a piece of the disc.",
   controls: { side: { label: "points N", steps: [4, 8, 16, 32], value: 16, text: (side) => String(side * side) } },
   async run({ side, seed }, view) {
     const names = ["Rejection", "Inversion", "Inversion, strata"];
@@ -154,7 +158,7 @@ carlo.experiment("disc", {
       ...(way === 0 ? { exact: (n) => Math.sqrt(1 / 16 / n), exactName: "σ/√N" } : {}) }));
     const fits = await view.ladder({ methods, runs: () => 32 });
     view.slopes(methods, fits);
-    view.say(`The mean of x² over the disc is 1/4: its error falls as N to the ${carlo.digits(fits[0][0])} by rejection, ${carlo.digits(fits[2][0])} by inversion of stratified numbers. ` +
+    view.say(`The mean of x² over the disc is 1/4: its error falls as N<sup>${carlo.digits(fits[0][0])}</sup> by rejection, N<sup>${carlo.digits(fits[2][0])}</sup> by inversion of stratified numbers. ` +
       "Rejection throws 4/π = 1.27 darts a point.");
   },
 });

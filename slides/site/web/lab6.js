@@ -6,8 +6,10 @@ const ways = ["light", "lobe", "balance", "power"];
 carlo.experiment("mis", {
   title: "Two densities, one integral",
   intro: "A plate reflects one light, on a line of directions. Either draw points of the light, or directions of the plate's lobe, or half of each with Veach and Guibas' weights (labs 6.6 and 6.7). The integral is known in closed form.",
-  question: "a small light and a rough plate: which technique alone is the better one?",
+  question: "a small light and a rough plate: which technique alone is better?",
   choices: ["points of the light", "directions of the lobe", "they are equal"],
+  answer: "points of the light. A direction of a wide lobe seldom meets a small light. Set a large light and a smooth plate, and it is the other way round; weighted, the error stays close to that of the better one without your knowing which it is.",
+  asked: { half: 0.003, scale: 0.03, m: 0.54 },
   controls: {
     half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.003 },
     scale: { label: "roughness: scale of the lobe", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1], value: 0.03 },
@@ -36,8 +38,9 @@ carlo.experiment("mis", {
 carlo.experiment("plates", {
   title: "Veach's plates on a line",
   intro: "Four plates from nearly mirror-like (top) to nearly matt, four lights of equal power from a point (left) to a panel. Every pixel is its own estimate, as in lab 6.7.",
-  question: "where are the points of the lights the noisier technique?",
+  question: "where are points of the lights noisier than directions of the lobe?",
   choices: ["small light, rough plate", "large light, smooth plate", "everywhere alike"],
+  answer: "large light, smooth plate. Few points of a large light lie where a smooth plate reflects.",
   controls: {
     n: { label: "samples a pixel", steps: [2, 4, 8, 16, 32, 64], value: 4 },
     size: { label: "size of the lights", steps: [0.25, 0.5, 1, 2], value: 1, unit: "times" },
@@ -80,6 +83,8 @@ carlo.experiment("tails", {
   intro: "The integral of 5 x⁴ over [0, 1] from points of density (n + 1) xⁿ. At n = 4 the density is the integrand; beyond it, points near 0 become rare while their contributions grow without bound. From n = 9 on the variance is infinite.",
   question: "at n = 8.5 the variance is finite. Do the measured errors lie on its line σ/√N?",
   choices: ["yes", "they lie above", "they lie below, until a rare point comes"],
+  answer: "they lie below, until a rare point comes. Most of the variance comes from points near 0 that few runs have drawn.",
+  asked: { n: 8.5 },
   controls: {
     n: { label: "exponent n of the density", min: 0, max: 12, step: 0.5, value: 8.5 },
     runs: { label: "runs", steps: [30, 100, 300, 1000], value: 100 },
@@ -98,7 +103,7 @@ carlo.experiment("tails", {
     view.plot("Intervals that hold the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [{ name: "measured", x: sizes, y: held }, { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     view.slopes([method], fits);
-    view.say(`σ² of one contribution: ${carlo.digits(variance)} (25/((n + 1)(9 − n)) − 1). Contributions have a tail P(Y > y) ~ y^−a with ` +
+    view.say(`σ² of one contribution: ${carlo.digits(variance)}${variance < Infinity ? " (25/((n + 1)(9 − n)) − 1)" : ""}. Contributions have a tail P(Y > y) ~ y<sup>−a</sup> with ` +
       `a = ${carlo.digits(index)}; where a is close to 2 a sample's variance is mostly in points that it has not drawn.`);
   },
 });

@@ -15,6 +15,8 @@ carlo.experiment("dome", {
   intro: "Each point is a direction drawn by one of the lab's samplers. The lobe's density is proportional to cosⁿ of the angle with the mirror direction of wo; at a grazing angle part of it lies below the horizon.",
   question: "n = 10⁷: how wide is the lobe, by the mean angle with its axis?",
   choices: ["about 1°", "about .02°", "0: floats cannot hold it"],
+  answer: "about .02°. The mean angle is about √(π/2n) radians.",
+  asked: { which: 3, n: 1e7, theta: 45 },
   controls: {
     which: { label: "sampler", options: samplerNames, value: 2 },
     n: { label: "exponent n of the lobe", steps: exponents, value: 30 },
@@ -56,6 +58,8 @@ carlo.experiment("floor", {
   intro: "A point of a floor under a round light of radiance 1 at height 1 (lab 7.7). The irradiance is known in closed form; the error is that of N directions. The lobe points at the light and falls to 1/e at its rim.",
   question: "a light of radius .1: which directions have the least error for their time?",
   choices: ["uniform", "cosine-weighted", "the lobe towards the light"],
+  answer: "the lobe towards the light. Most other directions miss a small light.",
+  asked: { radius: 0.1 },
   controls: {
     radius: { label: "radius of the light", steps: [0.05, 0.1, 0.2, 0.4, 0.8, 1.6], value: 0.1, unit: "heights" },
     x: { label: "distance of the point from its foot", min: 0, max: 3, step: 0.2, value: 0.4, unit: "heights" },
@@ -70,6 +74,6 @@ carlo.experiment("floor", {
     const price = found.map(([[error], seconds]) => error ** 2 * seconds), least = Math.min(...price);
     view.table("N = 1024", ["", "relative error", "μs", "error² × time"], found.map(([[error], seconds], i) =>
       [names[i], carlo.digits(error), carlo.digits(1e6 * seconds / 64), carlo.digits(price[i] / least)]), "the last column relative to the best");
-    view.say(`Exact: ${carlo.digits(found[0][0][1], 5)}. The least error² × time here has “${names[price.indexOf(least)]}”.`);
+    view.say(`Exact: ${carlo.digits(found[0][0][1], 5)}. Here “${names[price.indexOf(least)]}” has the least error² × time.`);
   },
 });

@@ -14,14 +14,16 @@ const isSpecular = (scene) => ["room with balls", "caustics"].includes(sceneName
 
 carlo.experiment("tracer", {
   title: "The path tracer",
-  intro: "Lab 8's tracers at 128 × 128 pixels, one thread. Two of them side by side get the same time, in turns. The error is the root mean square of the pixels' standard errors, relative to the mean luminance; touch or hover over a pixel, or move with the arrow keys, for its own.",
+  intro: "Lab 8's tracers at 128 × 128 pixels, one thread. Two of them side by side get the same time, in turns. The error is the root mean square of the pixels' standard errors, relative to the mean luminance: noise alone, which does not know that a longest path leaves light out. Touch or hover over a pixel, or move with the arrow keys, for its own.",
   question: "the same seconds, the Cornell box: how large is the error of the tracer that samples lights, compared with that of TracePath?",
-  choices: ["the same", "less than half", "a tenth", "a hundredth"],
+  choices: ["the same", "about half", "a tenth", "a hundredth"],
+  answer: "about half. TracePath finds the light only by chance.",
+  asked: { scene: 0, left: 1, right: 2, depth: 0 },
   controls: {
     scene: { label: "scene", options: sceneNames, value: 0 },
     left: { label: "left", options: tracers, value: 1 },
     right: { label: "right", options: tracers, value: 3 },
-    depth: { label: "longest path (8.8)", steps: [0, 1, 2, 3, 4, 6, 10], value: 0, text: (d) => (d ? `${d} segments` : "any length") },
+    depth: { label: "longest path (8.8 only)", steps: [0, 1, 2, 3, 4, 6, 10], value: 0, text: (d) => (d ? `${d} segments` : "any length") },
     seconds: { label: "time for each", steps: [1, 2, 5, 10, 30, 120], value: 5, unit: "s" },
   },
   async run({ scene, left, right, depth, seconds, seed }, view) {
@@ -99,6 +101,8 @@ carlo.experiment("furnace", {
   intro: "A closed sphere emits 1 and reflects the share ρ: the radiance is 1/(1 − ρ) everywhere. The lecture's TracePath chooses emission with probability .9; the corrected one always adds it (lab 8.4).",
   question: "at ρ = .5, how often do the lecture's 95 % error bars hold the truth?",
   choices: ["in 95 % of all runs", "in about half of them", "hardly ever"],
+  answer: "in about half of them. Its contributions have an infinite variance: most runs have not met the rare large ones.",
+  asked: { rho: 0.5 },
   controls: {
     rho: { label: "albedo ρ", min: 0.05, max: 0.9, step: 0.05, value: 0.5 },
     n: { label: "paths N, at most", steps: [1000, 4000, 16000, 64000], value: 16000 },
@@ -139,6 +143,8 @@ carlo.experiment("recap", {
   intro: "A ball of light at the centre of a spherical room. TracePath as printed in the lecture's Recap multiplies by p_light, one over the light's solid angle, where its density demands a division; the corrected form divides.",
   question: "a ball of three tenths of the room's radius: what does the printed form give?",
   choices: ["the right radiance, with more noise", "a third of it", "three times as much", "no value at all"],
+  answer: "three times as much, whatever the number of paths: a wrong weight is bias.",
+  asked: { ball: 0.3, albedo: 0.5 },
   controls: {
     albedo: { label: "albedo of the wall", min: 0.1, max: 0.9, step: 0.1, value: 0.5 },
     ball: { label: "ball's radius over the room's", steps: [0.05, 0.1, 0.2, 0.3, 0.5, 0.7], value: 0.3 },
@@ -167,7 +173,7 @@ carlo.experiment("recap", {
     view.plot("Error against seconds", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y: { label: "relative error, one run", log: true },
       series: methods.map(({ name, seconds }, i) => ({ name, x: seconds, y: errors[i] })) });
     const [, , , printed, random] = methods[0].points[0];
-    const times = (mean) => (mean < Infinity ? `has ${carlo.digits(mean / exact)} times the radiance as its mean` : "has no finite mean: each bounce brings more than the one before");
+    const times = (mean) => (mean < Infinity ? `has ${carlo.digits(mean / exact)} times the right radiance as its mean` : "has no finite mean: each bounce brings more than the one before");
     view.say(`The Recap as printed ${times(printed)}; a random direction, not divided by its density, ${times(random)}. No number of paths mends a wrong weight.`);
   },
 });

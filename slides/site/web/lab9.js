@@ -5,6 +5,7 @@ carlo.experiment("density", {
   intro: "A point light at height 1 emits photons; those within a radius of its foot estimate the irradiance there, which is 1 (lab 9.5). A large disc averages over darker floor: bias. A small one holds few photons: noise. Both are known in closed form.",
   question: "what happens to the best radius if 16 times as many photons are emitted?",
   choices: ["it stays", "it shrinks", "it grows"],
+  answer: "it shrinks. With less noise, less bias pays. Set 512 photons, then 8192, and compare the lowest point of both curves.",
   controls: {
     photons: { label: "photons emitted", steps: [512, 2048, 8192, 16384], value: 8192 },
     maps: { label: "photon maps", steps: [16, 64, 128], value: 64 },
@@ -48,6 +49,7 @@ carlo.experiment("photons", {
   intro: "Each pass traces its own photons and looks up one ray a pixel (lab 9.5), at 64 × 64 pixels. On the left the radius stays, in the middle it shrinks from pass to pass (lab 9.6), on the right is lab 8's path tracer. All three get the same time, in turns.",
   question: "with time, which image is free of bias?",
   choices: ["the radius that stays", "the radius that shrinks", "paths", "the last two"],
+  answer: "the last two. A shrinking radius loses its bias, though slowly; the one that stays keeps it.",
   controls: {
     scene: { label: "scene", options: photonScenes, value: 1 },
     photons: { label: "photons a pass", steps: [1000, 4000, 16000], value: 4000 },
@@ -100,6 +102,7 @@ carlo.experiment("records", {
   intro: "Indirect irradiance in the Cornell box, pixel by pixel: where no record serves, a new one is made from strata × strata directions (lab 9.7). Orange: where a record was placed.",
   question: "where do records crowd?",
   choices: ["in the middle of walls", "in corners and along edges", "evenly"],
+  answer: "in corners and along edges. Near surfaces change the irradiance within a short way.",
   controls: {
     most: { label: "largest error of a record", steps: [0.05, 0.1, 0.2, 0.4, 0.8], value: 0.2 },
     strata: { label: "strata a side", steps: [4, 8, 16], value: 8 },
