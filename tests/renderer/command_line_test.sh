@@ -149,5 +149,12 @@ code=0
 [ "$(wc -l <"$scratch/stderr")" = 1 ] || complain "full disk: $(cat "$scratch/stderr")"
 diff -r "$scratch/folder" "$scratch/before" || complain 'a full disk changed older files'
 
+# An error that cannot be printed is still one.
+for nowhere in '2>&-' '2>/dev/full'; do
+  code=0
+  (eval "\"\$renderer\" nothing.xml $nowhere") || code=$?
+  [ "$code" = 1 ] || complain "exit code $code with $nowhere"
+done
+
 printf '%d broken scenes tried\n' "$count"
 finish

@@ -35,10 +35,12 @@ std::vector<Convention> mitsuba_rows() {
       {mitsuba, "spot light, on its axis", point,
        "s['l'] = {'type': 'spot', 'intensity': 1.,\n"
        "  'to_world': mi.ScalarTransform4f().look_at([0, 0, .5], [0, 0, 0], [0, 1, 0])}",
-       1, "`intensity` is that of a point light in its place"},
+       1,
+       "`intensity` is that of a point light in its place; ours has no spot, so no equal outside its full "
+       "beam"},
       {mitsuba, "directional light", far_point,
        "s['l'] = {'type': 'directional', 'direction': [0, 0, -1], 'irradiance': 1.}", 1,
-       "`irradiance` E is a point light of intensity E D² at a large distance D; give it a "
+       "`irradiance` E is a point light of intensity E D² at the distance D, 1e4 times the scene's size, against the direction; give it a "
        "`direction`, since a scale in `to_world` counts"},
       {mitsuba, "sphere as a light", sphere,
        "s['l'] = {'type': 'sphere', 'center': [0, 0, .5], 'radius': .1,\n"
