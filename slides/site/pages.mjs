@@ -114,7 +114,7 @@ ${escaped(lab.title)}</a></li>`).join("\n");
 <p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
 dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
 <section><h2>For a course</h2><div class="text">${markdown.render(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}</div>
-<p>The slides:</p><ul>${decksOf(context, () => true)}</ul></section>
+<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul></section>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
 <section><h2>How fast, how accurate</h2><div class="text">${markdown.render(part("    ./carlo bench render\n", "    ./carlo test --hard")).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div>
