@@ -125,6 +125,12 @@ grep -q 'class="viewer"' "$scratch/good.html" || complain 'the page has no viewe
 grep -q "./carlo render --quiet --size 16x16" "$scratch/good.html" || complain 'the page has no command'
 "$renderer" "$good" --quiet --size 16x16 --spp 4 -o "$scratch/other" --page "$scratch/page.html" \
   --reference "$scratch/good.exr"
+# A reference that states no standard errors counts as exact, and the report says so.
+"$renderer" "$good" --size 256x256 --spp 1 -o "$scratch/other" \
+  --reference "$source/tests/references/peer_cornell_phong.exr" >"$scratch/said"
+grep -q 'the reference has no channels se.R, se.G, se.B' "$scratch/said" || complain 'a reference without errors: not a word'
+"$renderer" "$good" --size 16x16 --spp 4 -o "$scratch/other" --reference "$scratch/good.exr" >"$scratch/said"
+! grep -q 'the reference has no' "$scratch/said" || complain "$(cat "$scratch/said")"
 grep -q '<dt>FLIP</dt>' "$scratch/page.html" || complain 'the page has no FLIP'
 [ ! -e "$scratch/other.html" ] || complain 'two pages'
 

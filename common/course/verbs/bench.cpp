@@ -3,6 +3,7 @@
 #include "course/verbs/course.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,8 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The Python modules of other renderers, installed from PyPI.
-const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.11.2"};
+/// Another renderer: what --peer calls it, and its Python module, installed from PyPI.
+struct PeerModule {
+  std::string name, module;
+};
+const PeerModule peer_modules[]{
+    {"mitsuba", "mitsuba==3.9.1"}, {"cycles", "bpy==5.0.1"}, {"luxcore", "pyluxcore==2.11.2"}};
 
 /// Builds a program of the suite and replaces this process with it.
 [[noreturn]] void become(Course& course, const std::string& program, const Words& before,
@@ -38,12 +43,13 @@ const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.1
 }
 
 /// Installs other renderers in a folder of their own; a renderer that this Python cannot install is
-/// not measured.
-void install_peers(const Tree& tree, const fs::path& folder) {
+/// not measured. `only`: one of them, or "" for all.
+void install_peers(const Tree& tree, const fs::path& folder, const std::string& only) {
   tree.need({"build", "peers"});
   if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
     fail({"no Python environment in ", folder.string()});
-  for (const std::string module : peer_modules) {
+  for (const auto& [name, module] : peer_modules) {
+    if (!only.empty() && only != name) continue;
     if (fs::exists(folder / module)) continue;
     say({"carlo: installing ", module, " in ", folder, " ...\n"});
     const int code = run({folder / "bin/pip", "install", "--quiet", "--disable-pip-version-check",
@@ -55,6 +61,15 @@ void install_peers(const Tree& tree, const fs::path& folder) {
       say({"carlo: cannot install ", module, ": no network, or no build for this Python\n"});
     }
   }
+}
+
+/// The word behind an option, or behind its "="; "" if it is not among the words.
+std::string value_of(const std::string& option, const Words& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].starts_with(option + "=")) return words[i].substr(option.size() + 1);
+    if (words[i] == option && i + 1 < words.size()) return words[i + 1];
+  }
+  return "";
 }
 
 /// One of Mitsuba's variants needs to find LLVM.
@@ -78,7 +93,7 @@ void point_to_llvm() {
   for (const std::string& word : words)
     if (asks_for_help(word)) become(course, program, {}, {"--help"});
   const fs::path peers = course.tree.root / "build/peers";
-  install_peers(course.tree, peers);
+  install_peers(course.tree, peers, value_of("--peer", words));
   point_to_llvm();
   if (table) {
     become(course, program,
