@@ -86,8 +86,8 @@ void check_normals(const carlo::Mesh& mesh, std::size_t triangles, const Normal&
 TEST_CASE("each corner keeps its vertex normal", "[scene]") {
   // An arrow, which no fan fits; normals are (x, y, 2) in a shuffled order, one of them twice.
   const std::string arrow =
-      "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nvn 1 1 2\nvn 0 2 2\nvn 2 1 2\nvn 0 0 2\nvn 0 0 1\n"
-      "f 1//4 2//3 3//2 4//1\nf 1//5 4//1 2//-3\n";
+      "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nv 2 -1 0\nvn 1 1 2\nvn 0 2 2\nvn 2 1 2\nvn 0 0 2\n"
+      "vn 0 0 1\nvn 2 -1 2\nf 1//4 2//3 3//2 4//1\nf 1//5 2//-4 5//6\n";
   const auto there = [](glm::vec3 p) { return glm::vec3(p.x, p.y, 2); };
   check_normals(mesh_of(load_obj(arrow)), 3, there);
   // Normals are at right angles to what lies in the surface: x/3 where x is stretched by 3.
