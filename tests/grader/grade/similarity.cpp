@@ -90,7 +90,8 @@ double quantile(const std::vector<SimilarPair>& pairs, double share) {
 std::optional<Usual> usual_of(const LabSimilarity& lab) {
   if (lab.pairs.size() < fewest_pairs) return std::nullopt;
   Usual usual{quantile(lab.pairs, 0.25), quantile(lab.pairs, 0.5), quantile(lab.pairs, 0.75)};
-  usual.threshold = std::max(usual.upper + 3 * (usual.upper - usual.lower), least_threshold);
+  usual.threshold =
+      std::clamp(usual.upper + 3 * (usual.upper - usual.lower), least_threshold, most_threshold);
   return usual;
 }
 

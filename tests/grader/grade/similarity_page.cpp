@@ -103,10 +103,13 @@ void add_usual(Page& page, const LabSimilarity& lab, const std::optional<Usual>&
   page.prose(fmt::format(
       "In this class half of all pairs share {} or less, and a quarter {} or more. A pair stands out "
       "above {}: the upper quartile ({}) and three times the distance between the quartiles ({} to "
-      "{}), but at least {}.",
+      "{}), but at least {} and at most {}.{}",
       percent(usual->median), percent(usual->upper), percent(usual->threshold),
-      percent(usual->upper), percent(usual->lower), percent(usual->upper),
-      percent(least_threshold)));
+      percent(usual->upper), percent(usual->lower), percent(usual->upper), percent(least_threshold),
+      percent(most_threshold),
+      usual->upper > most_threshold
+          ? " More than a quarter of all pairs are alike: look at all of them."
+          : ""));
 }
 
 void add_groups(Page& page, const LabSimilarity& lab, const Shown& shown, double threshold) {
