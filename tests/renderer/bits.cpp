@@ -5,7 +5,6 @@
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
 #include "grader/grade/sha256.h"
-#include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "render/driver.h"
 #include "render/scene_film.h"
@@ -172,7 +171,6 @@ int main(int argc, char** argv) {
     if (const auto code = app.parse(argc, argv)) return *code;
     Comparison comparison(make ? std::nullopt : std::optional(read(path)));
     std::vector<lane_scenes::Named> scenes = lane_scenes::all();
-    scenes.push_back({"knot", lab_scenes::load("knot")});
     for (auto& [name, scene] : scenes) {
       resize(scene, width, height);
       for (const Way& way : ways()) {
