@@ -7,7 +7,9 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <variant>
 
 namespace carlo {
@@ -35,28 +37,17 @@ class DuplicateFaces {
       keys_.push_back(key_of(p));
   }
 
-  /// Marks polygons with the same corners that face each other's back.
-  std::vector<char> back_to_back() const {
-    std::vector<char> marked(file_.triangles.size());
-    const auto mark = [&](const Polygon& p) {
-      std::fill_n(marked.begin() + static_cast<std::ptrdiff_t>(p.first_triangle), p.corners - 2,
-                  char{1});
-    };
-    find_repeats(
-        keys_of_polygons(),
-        [&](std::size_t i, std::size_t k) {
-          const Polygon &a = file_.polygons[i], &b = file_.polygons[k];
-          const auto one = turned(a), other = turned(b);
-          return one && other && same(corners_of(a), corners_of(b), *one == *other);
-        },
-        [&](std::size_t i, std::size_t k) { mark(file_.polygons[i]), mark(file_.polygons[k]); });
-    return marked;
-  }
-
-  std::size_t mark() {
+  CoincidentFaces find() {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(file_.polygons.size());
+    for (const Polygon& p : file_.polygons)
+      keys.push_back(key(corners_of(p)));
+    CoincidentFaces found;
+    found.back_to_back = back_to_back(keys);
     // A polygon that starts at another corner has the same corners but other triangles.
-    const std::size_t polygons = mark_polygons();
-    return polygons + mark_triangles();
+    found.duplicates = mark_polygons(keys);
+    found.duplicates += mark_triangles();
+    return found;
   }
 
  private:
@@ -90,27 +81,35 @@ class DuplicateFaces {
     return std::span(file_.polygon_corners).subspan(p.first_corner, p.corners);
   }
 
-  std::vector<std::uint64_t> keys_of_polygons() const {
-    std::vector<std::uint64_t> keys;
-    keys.reserve(file_.polygons.size());
-    for (const Polygon& p : file_.polygons)
-      keys.push_back(key(corners_of(p)));
-    return keys;
+  /// True if two polygons have the same corners and face the same way, or opposite ways.
+  bool coincide(std::size_t i, std::size_t k, bool opposite) const {
+    const Polygon &a = file_.polygons[i], &b = file_.polygons[k];
+    const auto one = turned(a), other = turned(b);
+    return one && other && same(corners_of(a), corners_of(b), (*one != *other) != opposite);
   }
 
-  std::size_t mark_polygons() {
+  static void mark(const Polygon& p, std::vector<char>& triangles) {
+    std::fill_n(triangles.begin() + static_cast<std::ptrdiff_t>(p.first_triangle), p.corners - 2,
+                char{1});
+  }
+
+  std::vector<char> back_to_back(const std::vector<std::uint64_t>& keys) const {
+    std::vector<char> marked(file_.triangles.size());
+    find_repeats(
+        keys, [&](std::size_t i, std::size_t k) { return coincide(i, k, /*opposite=*/true); },
+        [&](std::size_t i, std::size_t k) {
+          mark(file_.polygons[i], marked);
+          mark(file_.polygons[k], marked);
+        });
+    return marked;
+  }
+
+  std::size_t mark_polygons(const std::vector<std::uint64_t>& keys) {
     std::size_t count = 0;
     find_repeats(
-        keys_of_polygons(),
-        [&](std::size_t i, std::size_t k) {
-          const Polygon &a = file_.polygons[i], &b = file_.polygons[k];
-          const auto one = turned(a), other = turned(b);
-          return one && other && same(corners_of(a), corners_of(b), *one != *other);
-        },
+        keys, [&](std::size_t i, std::size_t k) { return coincide(i, k, /*opposite=*/false); },
         [&](std::size_t i, std::size_t) {
-          const Polygon& p = file_.polygons[i];
-          std::fill_n(left_out_.begin() + static_cast<std::ptrdiff_t>(p.first_triangle),
-                      p.corners - 2, char{1});
+          mark(file_.polygons[i], left_out_);
           ++count;
         });
     return count;
@@ -159,15 +158,10 @@ bool same_triangle(const Triangle& a, const Triangle& b) {
       3, [&](std::size_t i) { return a.at(i); }, [&](std::size_t i) { return b.at(i); });
 }
 
-std::size_t mark_duplicate_faces(const MeshFile& file, const std::vector<Vec3>& positions,
-                                 const std::vector<char>& turned, std::vector<char>& left_out) {
-  return DuplicateFaces(file, positions, turned, left_out).mark();
-}
-
-std::vector<char> polygons_back_to_back(const MeshFile& file, const std::vector<Vec3>& positions,
-                                        const std::vector<char>& turned) {
-  std::vector<char> none(file.triangles.size());
-  return DuplicateFaces(file, positions, turned, none).back_to_back();
+CoincidentFaces find_coincident_faces(const MeshFile& file, const std::vector<Vec3>& positions,
+                                      const std::vector<char>& turned,
+                                      std::vector<char>& left_out) {
+  return DuplicateFaces(file, positions, turned, left_out).find();
 }
 
 void mark_back_to_back(Scene& scene) {
@@ -198,17 +192,30 @@ void mark_back_to_back(Scene& scene) {
       keys.push_back(spread(corners[t.x] + corners[t.y] + corners[t.z]));
     }
   }
-  const auto mark = [](const Face& face) {
-    face.mesh->back_to_back.resize(face.mesh->triangles.size());
-    face.mesh->back_to_back[face.triangle] = 1;
+  // Triangles of several files may lie on one: if any two face opposite ways, all are marked.
+  std::vector<std::pair<std::size_t, std::size_t>> coincident;  // with the first of each place
+  std::set<std::size_t> both_ways;                              // such firsts
+  const auto opposite = [&](std::size_t i, std::size_t k) {
+    const auto [a, b, c] = faces[k].corners();
+    return same_triangle(faces[i].corners(), {c, b, a});
   };
   find_repeats(
       keys,
       [&](std::size_t i, std::size_t k) {
-        const auto [a, b, c] = faces[k].corners();
-        return same_triangle(faces[i].corners(), {c, b, a});
+        return same_triangle(faces[i].corners(), faces[k].corners()) || opposite(i, k);
       },
-      [&](std::size_t i, std::size_t k) { mark(faces[i]), mark(faces[k]); });
+      [&](std::size_t later, std::size_t first) {
+        coincident.emplace_back(first, later);
+        if (opposite(later, first)) both_ways.insert(first);
+      });
+  for (const auto& [first, later] : coincident) {
+    if (both_ways.count(first) == 0) continue;
+    for (const std::size_t i : {first, later}) {
+      const Face& face = faces[i];
+      face.mesh->back_to_back.resize(face.mesh->triangles.size());
+      face.mesh->back_to_back[face.triangle] = 1;
+    }
+  }
 }
 
 }  // namespace carlo

@@ -18,18 +18,21 @@ using Triangle = std::array<Vec3, 3>;
 /// True if they have exactly the same corners in the same cyclic order.
 bool same_triangle(const Triangle& a, const Triangle& b);
 
-/// Marks duplicate faces of a mesh in `left_out`, by triangles: faces with exactly the same corners
-/// as an earlier one, facing the same way. `positions` are those of the file's vertices, perhaps
-/// transformed; `turned` says which triangles will be turned over. Returns the number of faces;
-/// ignores triangles that are marked already. A ray meets a duplicated surface once, but it would
-/// be two lights.
-std::size_t mark_duplicate_faces(const MeshFile& file, const std::vector<Vec3>& positions,
-                                 const std::vector<char>& turned, std::vector<char>& left_out);
+/// Faces of a file that lie on others of it.
+struct CoincidentFaces {
+  std::size_t duplicates = 0;  ///< number of faces, now marked as left out
+  /// Marks the triangles of polygons that lie on another one, facing the other way: triangles of
+  /// such a pair need not coincide, for the diagonals may be others.
+  std::vector<char> back_to_back;
+};
 
-/// Marks the triangles of polygons that lie on another one of the file, facing the other way: their
-/// triangles need not coincide, for the diagonals may be others.
-std::vector<char> polygons_back_to_back(const MeshFile& file, const std::vector<Vec3>& positions,
-                                        const std::vector<char>& turned);
+/// Finds coincident faces of a mesh, those with exactly the same corners, and marks duplicates in
+/// `left_out`, by triangles: faces that lie on an earlier one, facing the same way. `positions` are
+/// those of the file's vertices, perhaps transformed; `turned` says which triangles will be turned
+/// over. Ignores triangles that are left out already. A ray meets a duplicated surface once, but it
+/// would be two lights.
+CoincidentFaces find_coincident_faces(const MeshFile& file, const std::vector<Vec3>& positions,
+                                      const std::vector<char>& turned, std::vector<char>& left_out);
 
 /// Sets Mesh::back_to_back for triangles in the scene's meshes that lie on another one, facing the
 /// other way, and clears it in meshes of glass, which a ray meets from both sides. Exporters of

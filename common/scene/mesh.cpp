@@ -61,8 +61,9 @@ class MeshBuilder {
     std::vector<char> turned_over(file_.triangles.size());
     for (std::size_t i = 0; i < file_.triangles.size(); ++i)
       turned_over[i] = is_turned(i, mirrored) != flipped ? 1 : 0;
-    duplicates_ = mark_duplicate_faces(file_, mesh_.positions, turned_over, left_out_);
-    const auto back_to_back = polygons_back_to_back(file_, mesh_.positions, turned_over);
+    const auto [duplicates, back_to_back] =
+        find_coincident_faces(file_, mesh_.positions, turned_over, left_out_);
+    duplicates_ = duplicates;
     const bool any = std::find(back_to_back.begin(), back_to_back.end(), 1) != back_to_back.end();
     mesh_.triangles.reserve(file_.triangles.size());
     for (std::size_t i = 0; i < file_.triangles.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "course/cli/source_folder.h"
 #include "mesh_helpers.h"
+#include "scene/duplicate_faces.h"
 #include "scene/mesh_file.h"
 #include "scene/needs.h"
 
@@ -147,6 +148,26 @@ TEST_CASE("duplicate faces are those that face the same way, as vertex normals h
   CHECK(triangles(up + half_down, 2) == 3);
   CHECK(triangles("f 1 2 3 4\nf 4 3 2 1\n", 4) == 4);  // with other diagonals
   CHECK(triangles("f 1 2 3 4\nf 2 3 4\n", 0) == 3);
+}
+
+TEST_CASE("triangles of several meshes lie back to back if any two do", "[scene]") {
+  const carlo::Mesh up{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const carlo::Mesh down{{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}};
+  const auto marked = [](const std::vector<carlo::Mesh>& meshes) {
+    Scene scene;
+    scene.materials = {{carlo::Diffuse{carlo::Rgb(0.5f)}, false}};
+    for (const carlo::Mesh& mesh : meshes)
+      scene.shapes.push_back({mesh});
+    carlo::mark_back_to_back(scene);
+    std::size_t count = 0;
+    for (const carlo::Shape& shape : scene.shapes)
+      count += std::get<carlo::Mesh>(shape.geometry).back_to_back.size();
+    return count;
+  };
+  CHECK(marked({up, up}) == 0);
+  CHECK(marked({up, down}) == 2);
+  CHECK(marked({up, up, down}) == 3);
+  CHECK(marked({up, down, down, up}) == 4);
 }
 
 TEST_CASE("vertex normals without a direction leave their triangles flat", "[scene]") {
