@@ -46,19 +46,6 @@ std::string mark(const ExerciseStatus& status) {
   return "";
 }
 
-Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict) {
-  const Exercise& exercise = *status.exercise;
-  const auto functions = static_cast<int>(exercise.functions.size());
-  // The stub is back, so an older verdict no longer counts.
-  if (status.open > 0 && status.open >= functions) return Stage::untouched;
-  if (verdict == nullptr) return Stage::begun;
-  if (verdict->result.status == Status::not_implemented || (status.changed && status.open > 0)) {
-    return Stage::begun;
-  }
-  if (verdict->passed()) return Stage::passed;
-  return status.changed ? Stage::edited : Stage::failed;
-}
-
 /// Returns the remark behind the points.
 std::string remark(const ExerciseStatus& status) {
   const Exercise& exercise = *status.exercise;
@@ -158,7 +145,7 @@ LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& boo
     status.hints = std::min(hints.seen(exercise), static_cast<int>(exercise.hints.size()));
     const KeptVerdict* verdict = book.find(exercise);
     status.changed = verdict != nullptr && verdict->exercise != code.digest(exercise);
-    status.stage = stage_of(status, verdict);
+    status.stage = stage_of(exercise, code, verdict);
     const bool counts = status.stage != Stage::untouched && status.stage != Stage::begun;
     if (verdict != nullptr && counts) {
       status.points = std::min(verdict->result.points, static_cast<double>(exercise.points));

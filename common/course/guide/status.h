@@ -10,15 +10,6 @@
 
 namespace carlo {
 
-/// A student's progress on an exercise, from the files and the last verdict.
-enum class Stage {
-  untouched,  ///< all its functions report "not implemented"
-  begun,      ///< some still do, or none does but it has not been judged
-  edited,     ///< edited after a verdict with points missing
-  failed,     ///< judged, and points are missing
-  passed      ///< full points at the last verdict, even if edited since
-};
-
 struct ExerciseStatus {
   const Exercise* exercise = nullptr;
   Stage stage = Stage::untouched;

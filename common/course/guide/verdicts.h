@@ -17,6 +17,18 @@ struct KeptVerdict {
   bool passed() const { return result.status == Status::passed; }
 };
 
+/// A student's progress on an exercise, from the files and the last verdict.
+enum class Stage {
+  untouched,  ///< all its functions report "not implemented"
+  begun,      ///< some still do, or none does but it has not been judged
+  edited,     ///< edited after a verdict with points missing
+  failed,     ///< judged, and points are missing
+  passed      ///< full points at the last verdict, even if edited since
+};
+
+/// `verdict`: the last one, or null.
+Stage stage_of(const Exercise& exercise, const OwnCode& code, const KeptVerdict* verdict);
+
 /// The last verdicts of all exercises, kept in a small JSON file, created if it does not exist.
 class VerdictBook {
  public:
