@@ -1,6 +1,6 @@
 #include "course/report/crash_note.h"
 
-#include "course/report/say_in_handler.h"
+#include "course/report/signal_handler.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@ namespace {
 
 // Prepared in advance: a signal handler may call next to nothing.
 std::array<char, 256> title{};
-std::array<char, 16384> stack{};
 
 extern "C" void crashed(int signal) {
   if (title[0] != '\0') {
@@ -22,33 +21,13 @@ extern "C" void crashed(int signal) {
   ::raise(signal);  // the handler is reset: the system ends the program
 }
 
-constexpr bool sanitized =
-#if defined(__SANITIZE_ADDRESS__)
-    true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-    true;
-#else
-    false;
-#endif
-#else
-    false;
-#endif
-
 }  // namespace
 
 void report_crashes() {
-  if (sanitized) return;
-  // The handler's own stack: endless recursion has used up the other.
-  stack_t own{};
-  own.ss_sp = stack.data();
-  own.ss_size = stack.size();
-  ::sigaltstack(&own, nullptr);
+  if (sanitizer_reports_crashes) return;
   struct sigaction action {};
   action.sa_handler = crashed;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_ONSTACK | SA_NODEFER;
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    ::sigaction(signal, &action, nullptr);
+  handle_crashes(action, {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT});
 }
 
 void note_experiment(std::string_view name) {

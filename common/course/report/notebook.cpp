@@ -48,15 +48,19 @@ void Notebook::table(const std::string& key, const Table& table, std::string_vie
 }
 
 void Notebook::numbers(const std::string& key, const Table& table, std::string_view caption) {
-  data(key, table, caption);
+  fold(table, caption);
   print_table(key, table, caption);
 }
 
 void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
+  fold(table, caption);
+  (*results_)[key] = table.json();
+}
+
+void Notebook::fold(const Table& table, std::string_view caption) {
   page_.raw_html(fmt::format("<details><summary>{}</summary>", html_typeset(caption)));
   page_.table(table);
   page_.raw_html("</details>");
-  (*results_)[key] = table.json();
 }
 
 void Notebook::print_table(const std::string& key, const Table& table, std::string_view caption) {

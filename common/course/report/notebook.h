@@ -85,6 +85,7 @@ class Notebook {
 
  private:
   void leave_out(const NotImplemented& missing);
+  void fold(const Table& table, std::string_view caption);
   void print_table(const std::string& key, const Table& table, std::string_view caption);
 
   LabOptions options_;

@@ -1,7 +1,7 @@
 #include "course/report/stop_note.h"
 
 #include "course/report/crash_note.h"
-#include "course/report/say_in_handler.h"
+#include "course/report/signal_handler.h"
 
 #include <atomic>
 #include <csignal>

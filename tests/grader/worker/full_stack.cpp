@@ -1,6 +1,6 @@
 #include "grader/worker/full_stack.h"
 
-#include "course/report/say_in_handler.h"
+#include "course/report/signal_handler.h"
 #include "grader/protocol/stack_report.h"
 
 #include <fmt/format.h>
@@ -15,26 +15,10 @@
 #include <cstdint>
 #include <string_view>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define CARLO_SANITIZER_REPORTS 1
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__)
-#define CARLO_SANITIZER_REPORTS 1
-#endif
-
 namespace carlo::grader {
 namespace {
 
-#if defined(CARLO_SANITIZER_REPORTS)
-constexpr bool sanitizer_reports = true;
-#else
-constexpr bool sanitizer_reports = false;
-#endif
-
 // Prepared in advance: a signal handler may call next to nothing.
-std::array<char, 16384> own_stack{};
 std::array<char, 64> line{};
 std::size_t line_length = 0;
 std::uintptr_t lowest = 0;  ///< about where the stack's limit is
@@ -73,7 +57,7 @@ extern "C" void tell_full_stack(int signal, siginfo_t* info, void* context) {
 
 void report_full_stack() {
   rlimit limit{};
-  if (sanitizer_reports || ::getrlimit(RLIMIT_STACK, &limit) != 0) return;
+  if (sanitizer_reports_crashes || ::getrlimit(RLIMIT_STACK, &limit) != 0) return;
   if (limit.rlim_cur == RLIM_INFINITY) return;
   const auto here = reinterpret_cast<std::uintptr_t>(&limit);
   if (limit.rlim_cur > here) return;
@@ -83,15 +67,10 @@ void report_full_stack() {
   const auto written = fmt::format_to_n(line.data(), line.size(), "{}{:.3g}{}\n", stack_report,
                                         megabytes, stack_report_end);
   line_length = std::min(written.size, line.size());
-  // The handler's own stack: the other one is full.
-  stack_t own{};
-  own.ss_sp = own_stack.data();
-  own.ss_size = own_stack.size();
-  ::sigaltstack(&own, nullptr);
   struct sigaction action {};
   action.sa_sigaction = tell_full_stack;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_ONSTACK | SA_NODEFER | SA_SIGINFO;
-  ::sigaction(SIGSEGV, &action, nullptr);
+  action.sa_flags = SA_SIGINFO;
+  handle_crashes(action, {SIGSEGV});
 }
 
 }  // namespace carlo::grader
