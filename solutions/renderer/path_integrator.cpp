@@ -287,11 +287,11 @@ class PathIntegrator final : public carlo::Integrator {
   std::vector<Surface> surfaces_;
 };
 
-}  // namespace
-
 bool vector_kernel_suits(const Scene& scene) {
   return lanes_suit_machine() && LaneScene::suits(carlo::needs(scene), scene);
 }
+
+}  // namespace
 
 bool light_paths_suit(const Scene& scene) {
   return vector_kernel_suits(scene) && !carlo::needs(scene).vertex_normals;

@@ -17,6 +17,16 @@ using namespace std::chrono_literals;
 
 namespace {
 
+/// Reads to the end, at which a terminal reports an error, and closes the file.
+std::string all_from(int file) {
+  std::string text;
+  std::array<char, 4096> block{};
+  for (ssize_t got = 0; (got = ::read(file, block.data(), block.size())) > 0;)
+    text.append(block.data(), static_cast<std::size_t>(got));
+  ::close(file);
+  return text;
+}
+
 /// Returns what `work` writes to stderr, a terminal, in a separate process.
 template <class Work>
 std::string at_terminal(const Work& work) {
@@ -28,12 +38,7 @@ std::string at_terminal(const Work& work) {
     work();
     ::_exit(0);
   }
-  std::string said;
-  std::array<char, 4096> block{};
-  // At the end a terminal reports an error, not end of file.
-  for (ssize_t got = 0; (got = ::read(terminal, block.data(), block.size())) > 0;)
-    said.append(block.data(), static_cast<std::size_t>(got));
-  ::close(terminal);
+  const std::string said = all_from(terminal);
   int status = 0;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
@@ -95,11 +100,7 @@ TEST_CASE("without a terminal there is a line now and then, and none after the e
     ::_exit(0);
   }
   ::close(ends[1]);
-  std::string said;
-  std::array<char, 4096> block{};
-  for (ssize_t got = 0; (got = ::read(ends[0], block.data(), block.size())) > 0;)
-    said.append(block.data(), static_cast<std::size_t>(got));
-  ::close(ends[0]);
+  const std::string said = all_from(ends[0]);
   ::waitpid(child, nullptr, 0);
   CHECK(has(said, "rendering: 0 %, estimating\n"));
   CHECK(has(said, "rendering: 25 %, "));

@@ -291,7 +291,8 @@ void bench_peers(Context& context) {
     const auto all = static_cast<double>(there.size()), number = static_cast<double>(i);
     peers.measure_all(there[i], number / all, (number + 1) / all);
   }
-  if (!there.empty()) peers.report();
+  if (there.empty()) return;
+  peers.report();
   peers.finish();
 }
 

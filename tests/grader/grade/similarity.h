@@ -53,7 +53,7 @@ struct Usual {
 constexpr std::size_t most_pairs = 50;    ///< of a lab on the page, with their fragments
 constexpr std::size_t fewest_pairs = 15;  ///< from which quartiles say something
 constexpr double least_threshold = 0.3;   ///< what short exercises may share by chance
-constexpr double most_threshold = 0.6;    ///< what no independent work shares
+constexpr double most_threshold = 0.6;    ///< twice that: above it a pair always stands out
 
 /// Returns it for the pairs of one lab; none if they are too few. The threshold lies three
 /// interquartile ranges above the upper quartile, and between least_threshold and most_threshold:
