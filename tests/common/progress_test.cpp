@@ -38,7 +38,7 @@ std::string at_terminal(const Work& work) {
     work();
     ::_exit(0);
   }
-  const std::string said = all_from(terminal);
+  std::string said = all_from(terminal);
   int status = 0;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
