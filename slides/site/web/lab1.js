@@ -94,7 +94,6 @@ function drawIntervals(view, pairs) {
     const x = (value) => (0.04 + 0.92 * value / most) * width;
     g.fillStyle = carlo.colour("--soft");
     g.fillRect(x(2), 0, 1, height - 16);
-    g.font = "12px system-ui, sans-serif";
     for (const tick of [0, 1, 2]) g.fillText(String(tick), x(tick) - 3, height - 3);
     for (let i = 0; i < count; ++i) {
       const mean = pairs[2 * i], half = 1.96 * pairs[2 * i + 1];

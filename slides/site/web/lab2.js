@@ -82,7 +82,6 @@ function drawThousand(view, title, bounds, kind) {
     }
     g.fillStyle = carlo.colour("--ink");
     g.fillRect(0, y(Math.PI), width, 1);
-    g.font = "12px system-ui, sans-serif";
     for (const tick of [0, 1, 2, 3, 4]) g.fillText(String(tick), 2, Math.min(height - 2, y(tick) - 2));
   });
 }

@@ -116,7 +116,7 @@ const carlo = (() => {
 
     plot(title, spec, note) {
       const place = this.figure(title, note);
-      const width = Math.max(280, Math.min(460, Math.round(place.clientWidth / 1.15)));
+      const width = Math.max(280, Math.min(460, Math.round(place.clientWidth / zoom() / 1.15)));
       place.innerHTML = plotSvg(spec, width);
     }
 
@@ -130,19 +130,19 @@ const carlo = (() => {
         `${rows.map((row) => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>`;
     }
 
-    /** A canvas of this shape, in CSS pixels as wide as its place; `draw(g, width, height)`. */
+    /** A canvas of this shape, as wide as its place; `draw(g, width, height)`, letters 12 high. */
     canvas(title, { shape = 1, note, label }, draw) {
       const place = this.figure(title, note);
       if (place.firstChild?.tagName !== "CANVAS") place.replaceChildren(document.createElement("canvas"));
       const canvas = place.firstChild;
       canvas.setAttribute("role", "img");
       canvas.setAttribute("aria-label", label ?? title);
-      const width = place.clientWidth, height = Math.round(width * shape), ratio = window.devicePixelRatio || 1;
-      canvas.width = width * ratio;
-      canvas.height = height * ratio;
-      canvas.style.height = `${height}px`;
+      const scale = zoom() * (window.devicePixelRatio || 1), width = place.clientWidth / zoom(), height = Math.round(width * shape);
+      canvas.width = width * scale;
+      canvas.height = height * scale;
       const g = canvas.getContext("2d");
-      g.scale(ratio, ratio);
+      g.scale(scale, scale);
+      g.font = "12px system-ui, sans-serif";
       draw(g, width, height);
       return canvas;
     }
@@ -189,7 +189,6 @@ const carlo = (() => {
           }
           g.globalAlpha = 1;
           g.fillStyle = colour("--soft");
-          g.font = "12px system-ui, sans-serif";
           for (const [text, p] of axes ?? []) g.fillText(text, ...at(p).slice(0, 2));
         });
       const product = (a, b) => a.map((row) => [0, 1, 2].map((j) =>
@@ -260,6 +259,8 @@ const carlo = (() => {
     }
   }
 
+  /** What the page's letters are over their usual 16 pixels: plots and drawings grow with them. */
+  const zoom = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
   const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
   // Controls ------------------------------------------------------------------------------------------
