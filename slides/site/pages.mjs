@@ -41,7 +41,7 @@ export function page({ labs }, { name, title, lead = "", sections = [], body, sc
 <main id="main">
 ${body}
 </main>
-<footer>Carlo: Monte Carlo rendering labs in C++20. What the pages compute is the suite’s own library and solutions,
+<footer>Carlo: Monte Carlo rendering labs in C++20. The pages compute with the suite’s own library and solutions,
 compiled to WebAssembly. Formulas are set by KaTeX (MIT; its fonts: SIL Open Font License).</footer>
 ${scripts.map((file) => `<script src="${file}"></script>`).join("\n")}
 </body></html>
@@ -79,8 +79,8 @@ export function labPage(context, lab, text) {
   const formulas = [...context.formulas.values()].filter((one) => one.number === lab.digits);
   const figures = figuresOf(context, lab);
   const parts = [
-    ["try", "Try it", live.length && `<p>Predict, then run. Everything below is computed here, in your browser, by this lab’s solution;
-the page’s address keeps controls and seed, so that a link shows the same numbers.</p>
+    ["try", "Try it", live.length && `<p>Predict first, then run. Everything below is computed in your browser, by this lab’s solution. The page’s
+address holds the controls and the seed, so a link to it shows the same numbers.</p>
 <noscript><p class="note">The experiments need JavaScript.</p></noscript>
 ${live.map(([name]) => `<article class="live" id="${name}"></article>`).join("\n")}`, live],
     ["handout", "The handout", `<div class="text">${text.html}</div>`, text.headings],
@@ -120,13 +120,13 @@ ${escaped(lab.title)}</a></li>`).join("\n");
     lead: markdown.renderInline(lead),
     body: `<div class="hero"><figure><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
 <figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
-<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository; each installs what is missing.</p>
+<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository. Each installs whatever is missing.</p>
 <pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
-<p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
+<p>Or install nothing: the experiments on the labs’ pages run in your browser. Begin with <a href="lab01.html#curse">the curse of
 dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
 <section><h2>For a course</h2>${html(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}
 <p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul></section>
-<section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
+<section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas, and experiments that run in your browser on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
 <section><h2>How fast, how accurate</h2>${html(part("    ./carlo bench render\n", "    ./carlo test --hard"))}
 <p><a href="gallery.html">The scenes</a>, each with its noise and its error against time.</p></section>`,

@@ -13,10 +13,10 @@ const ruleOrder = [2, 2, 4];
 
 carlo.experiment("curse", {
   title: "The curse of dimensions",
-  intro: "A rule of lab 1.4 nested in every dimension, against Monte Carlo, on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
+  intro: "A rule of lab 1.4, nested in d dimensions, against Monte Carlo on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
   question: "from which dimension on does Monte Carlo fall faster than the midpoint rule?",
   choices: ["2", "3", "5", "9", "never"],
-  answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 both are alike.",
+  answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 the two are equal.",
   asked: { d: 5, f: 0, rule: 0 },
   controls: {
     d: { label: "dimensions d", min: 1, max: 10, step: 1, value: 4 },
@@ -52,9 +52,9 @@ carlo.experiment("curse", {
 carlo.experiment("spike", {
   title: "Error bars that miss",
   intro: "The integrand is 1 everywhere on [0, 1] and 1 + 1/w on a spike of width w: half of its integral, 2, sits where a uniform point falls with probability w, like a small bright light. A thousand runs, each with its 95 % interval by lab 1.3.",
-  question: "of 1000 intervals with N = 1/w points each, how many hold the integral?",
+  question: "of 1000 intervals with N = 1/w points each, how many contain the integral?",
   choices: ["about 950", "about 800", "about 600", "hardly any"],
-  answer: "about 600. A share (1 − w)ᴺ, some 37 %, of the runs never meets the spike, and their intervals are empty.",
+  answer: "about 600. In a share (1 − w)ᴺ of the runs, some 37 %, no point meets the spike, and the interval has no width.",
   asked: { w: 0.001, n: 1000 },
   controls: {
     w: { label: "width w of the spike", steps: [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001], value: 0.001 },

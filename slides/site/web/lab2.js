@@ -5,7 +5,7 @@ const dartSizes = (most) => Array.from({ length: 12 }, (_, i) => 16 * 4 ** i).fi
 carlo.experiment("darts", {
   title: "Darts at a circle",
   intro: "Darts fall uniformly on the unit square; four times the share inside the quarter disc estimates π. Two other integrands with the same integral compete: the circle's height 4 √(1 − x²) and the arctangent's derivative 4/(1 + x²).",
-  question: "how many more darts than samples of 4/(1 + x²) does the same error take?",
+  question: "compared with samples of 4/(1 + x²), how many darts does the same error take?",
   choices: ["as many", "twice as many", "about six times", "a hundred times"],
   answer: "about six times, the ratio of the two variances.",
   controls: {

@@ -296,7 +296,7 @@ const carlo = (() => {
       `<label><input type="radio" name="${name}-expected" value="${i}"> ${curly(text)}</label>`).join("");
     article.innerHTML = `<h3>${curly(definition.title)}</h3><p>${curly(definition.intro)}</p>
 <fieldset class="expect"><legend>Before you run it: ${curly(definition.question)}</legend>${expects}
-${definition.asked ? '<button type="button" data-asked>Set up what is asked</button>' : ""}</fieldset>
+${definition.asked ? '<button type="button" data-asked>Set the controls for this question</button>' : ""}</fieldset>
 <form class="controls">${Object.entries(controls).map(([id, one]) => controlHtml(name, id, one)).join("")}
 <div class="buttons"><button type="submit">Run</button><button type="button" data-next>Another seed</button><button type="button" data-stop hidden>Stop</button></div></form>
 <p class="status" role="status"></p><div class="charts"></div>`;
@@ -338,7 +338,7 @@ ${definition.asked ? '<button type="button" data-asked>Set up what is asked</but
         const guess = expected ? `You expected: ${expected.parentNode.textContent.trim()}. ` : "";
         const answer = document.createElement("span");
         answer.className = "answer";
-        answer.textContent = curly(`${guess}The answer to the question: ${definition.answer}`);
+        answer.textContent = curly(`${guess}Answer: ${definition.answer}`);
         status.append(answer);
         ended();
       } catch (error) {
