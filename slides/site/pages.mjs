@@ -125,7 +125,7 @@ ${escaped(lab.title)}</a></li>`).join("\n");
 <p>Or install nothing: the experiments on the labs’ pages run in your browser. Begin with <a href="lab01.html#curse">the curse of
 dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
 <section><h2>For a course</h2>${html(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}
-<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul></section>
+${context.decks.size ? `<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul>` : ""}</section>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas, and experiments that run in your browser on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
 <section><h2>How fast, how accurate</h2>${html(part("    ./carlo bench render\n", "    ./carlo test --hard"))}

@@ -63,7 +63,7 @@ carlo.experiment("spike", {
   async run({ w, n, seed }, view) {
     const shown = 60, runs = 1000;
     const found = carlo.call("1.spike", w, n, runs, seed, shown);
-    view.say(`${Math.round(1000 * found[0])} of 1000 intervals hold the integral. In ${carlo.digits(100 * found[2])} % of all runs ` +
+    view.say(`${Math.round(1000 * found[0])} of 1000 intervals contain the integral. In ${carlo.digits(100 * found[2])} % of all runs ` +
       "(1 − w)ᴺ no point meets the spike: the estimate is then exactly 1, its error bar 0, and nothing in the run says so.");
     drawIntervals(view, found.subarray(3));
     const sizes = [10, 30, 100, 300, 1000, 3000, 10000, 30000];
@@ -73,7 +73,7 @@ carlo.experiment("spike", {
       share.push(100 * held), error.push(rms), seconds.push(time / 200);
       await view.pause();
       const at = sizes.slice(0, share.length);
-      view.plot("Intervals that hold the integral", { x: { label: "points N", log: true, unit: "count" },
+      view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" },
         y: { label: "% of 200 runs", range: [0, 100] }, series: [{ name: "measured", x: at, y: share },
           { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
       const theory = at.map((x) => Math.sqrt((1 / w - 1) / x));
@@ -89,7 +89,7 @@ carlo.experiment("spike", {
 function drawIntervals(view, pairs) {
   const count = pairs.length / 2;
   const most = Math.max(3, ...Array.from({ length: count }, (_, i) => pairs[2 * i] + 2 * pairs[2 * i + 1]));
-  view.canvas("The first 60 runs", { shape: 0.62, note: "mean and 95 % interval; orange: does not hold 2, the vertical line",
+  view.canvas("The first 60 runs", { shape: 0.62, note: "mean and 95 % interval; orange: does not contain 2, the vertical line",
     label: `Means and intervals of ${count} runs` }, (g, width, height) => {
     const x = (value) => (0.04 + 0.92 * value / most) * width;
     g.fillStyle = carlo.colour("--soft");

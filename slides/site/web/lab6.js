@@ -100,7 +100,7 @@ carlo.experiment("tails", {
       },
       exactName: "σ/√N", exact: (size) => Math.sqrt(variance / size) };
     const fits = await view.ladder({ methods: [method], runs: () => runs, xlabel: "points N" });
-    view.plot("Intervals that hold the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
+    view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [{ name: "measured", x: sizes, y: held }, { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     view.slopes([method], fits);
     view.say(`σ² of one contribution: ${carlo.digits(variance)}${variance < Infinity ? " (25/((n + 1)(9 − n)) − 1)" : ""}. Contributions have a tail P(Y > y) ~ y<sup>−a</sup> with ` +
