@@ -379,11 +379,11 @@ ${definition.asked ? '<button type="button" data-asked>Set the controls for this
     const named = text && shown.get(name);
     if (!named) return;
     named.take(Object.fromEntries([...new URLSearchParams(text)].map(([key, value]) => [key, Number(value)])));
-    named.article.scrollIntoView();
+    named.article.scrollIntoView({ behavior: "instant" });
   }
   // The page grows while experiments are set up, after the browser has gone to the address's section.
   window.addEventListener("load", () => {
-    if (!location.hash.includes("?")) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+    if (!location.hash.includes("?")) document.getElementById(location.hash.slice(1))?.scrollIntoView({ behavior: "instant" });
   });
   window.addEventListener("DOMContentLoaded", followAddress);
   window.addEventListener("hashchange", followAddress);
