@@ -38,7 +38,7 @@ function buildModule() {
   return path.join(folder, "carlo.js");
 }
 
-/** Copies the labs' decks that are built; large data of each goes into a file that others share. */
+/** Copies the labs' decks that are built, without links to those that are not; large data goes into files that all share. */
 function copyDecks(book, labs, out) {
   const from = path.join(root, "out/slides"), to = path.join(out, "slides");
   const names = book.decks
@@ -53,7 +53,8 @@ function copyDecks(book, labs, out) {
         const file = `data/${crypto.createHash("sha256").update(bytes).digest("hex").slice(0, 16)}.${kind}`;
         fs.writeFileSync(path.join(to, file), bytes);
         return file;
-      });
+      })
+      .replace(/<a href="([^"#:]+\.html)#[^"]*">(.*?)<\/a>/g, (link, deck, words) => (names.includes(deck) ? link : words));
     fs.writeFileSync(path.join(to, name), html);
   }
   return new Set(names);

@@ -98,7 +98,8 @@ describe("every page", () => {
       for (const link of links.filter((one) => one.startsWith("file:"))) {
         const url = new URL(link), [file, place] = [fileURLToPath(url), decodeURIComponent(url.hash.slice(1).split("?")[0])];
         assert.ok(fs.existsSync(file), `${from} links to ${file}`);
-        if (place) assert.ok(found.get(file).ids.includes(place), `${from} links to ${file}#${place}`);
+        // A deck's own script goes to the slide of a number.
+        if (place && path.dirname(file) === site) assert.ok(found.get(file).ids.includes(place), `${from} links to ${file}#${place}`);
       }
     }
   });
