@@ -47,6 +47,7 @@ void Progress::update(double fraction) {
   const auto now = Clock::now();
   last_report_ = now;
   fraction_ = std::clamp(fraction, 0.0, 1.0);
+  total_seconds_ = std::chrono::duration<double>(now - start_).count() / fraction_;
   if (!bar_ || (drawn_ && now - last_draw_ < std::chrono::milliseconds(100))) return;
   draw(remaining());
 }
@@ -54,7 +55,9 @@ void Progress::update(double fraction) {
 std::string Progress::remaining() const {
   if (!(fraction_ > 0.01)) return "estimating";
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  return format_seconds(elapsed * (1 - fraction_) / fraction_) + " left";
+  // Between two reports the estimate counts down.
+  const double left = std::max(0.0, total_seconds_ - elapsed);
+  return left > 0 || fraction_ == 1 ? format_seconds(left) + " left" : "longer than estimated";
 }
 
 void Progress::clear() {

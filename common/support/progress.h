@@ -44,7 +44,8 @@ class Progress {
   double fraction_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
-  std::mutex mutex_;  ///< guards everything above
+  double total_seconds_ = 0;  ///< as estimated at the last update
+  std::mutex mutex_;          ///< guards everything above
   std::condition_variable woken_;
   std::thread watcher_;
 };

@@ -52,25 +52,41 @@ function formulaHtml(text, set) {
 
 const citation = /slides ([0-9]{2}):([a-z0-9-]+)/g;
 
+/** An anchor for a heading or term: "Step a: camera rays" -> "text-step-a-camera-rays". */
+const anchorOf = (heading) => `text-${heading.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, "").replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "")}`;
+
+/** Markdown as HTML; names of files of which the site has a page link to it. `pages`: as for textOf(). */
+export const htmlOf = (text, { markdown }, pages) =>
+  markdown
+    .render(text)
+    .replace(/<code>([A-Za-z0-9_./-]+\.md)<\/code>/g, (words, file) => (pages(file) ? `<a href="${pages(file)}">${words}</a>` : words))
+    .replaceAll("<table>", '<div class="scroll" tabindex="0"><table>')
+    .replaceAll("</table>", "</table></div>");
+
+/** The glossary: an anchor for each term, and links to the labs. */
+export const glossaryOf = ({ title, html }, labs) => ({ title, headings: [], html: html
+  .replace(/<li><strong>(.*?)<\/strong>/g, (words, term) => words.replace("<li>", `<li id="${anchorOf(term)}">`))
+  .replace(/\((labs? [^)]*)\)/g, (_, words) => `(${words.replace(" ", "&nbsp;").replace(/([0-9])(\.[0-9])?/g, (name, number) =>
+    `<a href="${labs.find((lab) => lab.number === Number(number)).page}">${name}</a>`)})`) });
+
 /**
- * A Markdown file's title and body. `formulas`: those of formulasOf(), to which citations link; `pages`: a
+ * A Markdown file's title, body and headings [anchor, words]. `formulas`: those of formulasOf(), to which citations link; `pages`: a
  * function from a path in the tree to a page of the site, or undefined.
  */
-export function textOf(root, file, { markdown }, formulas, pages = () => undefined) {
+export function textOf(root, file, tools, formulas, pages) {
+  const headings = [];
   const [, title, rest] = /^# (.*)\n([\s\S]*)$/.exec(fs.readFileSync(path.join(root, file), "utf8"));
-  const html = markdown
-    .render(rest)
+  const html = htmlOf(rest, tools, pages)
     .replace(citation, (words, number, name) => {
       const found = formulas.get(`${number}:${name}`);
       return found ? `<a href="${found.page}#${number}-${name}">${words}</a>` : words;
     })
-    .replace(/`?<code>((?:labs|common|tests|slides|solutions)\/[A-Za-z0-9_./-]+\.md)<\/code>/g, (words, target) =>
-      pages(target) ? `<a href="${pages(target)}">${words}</a>` : words)
-    .replaceAll("<table>", '<div class="scroll" tabindex="0"><table>')
-    .replaceAll("</table>", "</table></div>")
     .replaceAll("<pre>", '<pre class="scroll" tabindex="0">')
-    .replace(/<h2>(.*?)<\/h2>/g, (_, text) => `<h3>${text}</h3>`);
-  return { title, html };
+    .replace(/<h2>(.*?)<\/h2>/g, (_, words) => {
+      headings.push([anchorOf(words), words]);
+      return `<h3 id="${anchorOf(words)}">${words}</h3>`;
+    });
+  return { title, html, headings };
 }
 
 /** The decks' labelled equations: Map("04:neyman" -> {number, name, slide, html, page}). */

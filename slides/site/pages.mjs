@@ -5,21 +5,30 @@ import path from "node:path";
 
 import { functionsSvg, plotSvg } from "../tool/plot.mjs";
 import { escaped } from "../tool/pictures.mjs";
+import { htmlOf } from "./handout.mjs";
 
-/** Which experiments a lab's page has: those that its script defines, in its order. */
+/** Which experiments a lab's page has, [name, title]: those that its script defines, in its order. */
 const experimentsOf = (root, lab) =>
   lab.live
     ? [...fs.readFileSync(path.join(root, `slides/site/web/lab${lab.number}.js`), "utf8")
-        .matchAll(/^carlo\.experiment\("([a-z]+)"/gm)].map(([, name]) => name)
+        .matchAll(/^carlo\.experiment\("([a-z]+)", \{\s*title: "([^"]*)"/gm)].map(([, name, title]) => [name, title.replaceAll("'", "’")])
     : [];
 
 function navigation(labs, here) {
   const link = (page, text) => `<li><a href="${page}"${page === here ? ' aria-current="page"' : ""}>${text}</a></li>`;
   return `<nav aria-label="Site"><ol>${link("index.html", "Carlo")}${labs
-    .map((lab) => link(lab.page, lab.number)).join("")}${link("gallery.html", "Scenes")}${link("instructors.html", "Instructors")}</ol></nav>`;
+    .map((lab) => link(lab.page, lab.number)).join("")}${link("gallery.html", "Scenes")}${link("glossary.html", "Glossary")}${link("instructors.html", "Instructors")}</ol></nav>`;
 }
 
-export function page({ labs }, { name, title, lead = "", body, scripts = [] }) {
+/** A page's sections, [anchor, words, those within]; folded at first on a phone. */
+function contents(sections) {
+  const list = (entries) => entries.length ? `<ul>${entries.map(([id, words, within = []]) =>
+    `<li><a href="#${id}">${words}</a>${list(within)}</li>`).join("")}</ul>` : "";
+  return `<details class="contents" open><summary>On this page</summary><nav aria-label="On this page">${list(sections)}</nav></details>
+<script>if (innerWidth < 640) document.querySelector(".contents").open = false;</script>`;
+}
+
+export function page({ labs }, { name, title, lead = "", sections = [], body, scripts = [] }) {
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>${escaped(title)}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -28,11 +37,11 @@ export function page({ labs }, { name, title, lead = "", body, scripts = [] }) {
 </head><body>
 <a class="skip" href="#main">Skip to the text</a>
 <header>${navigation(labs, name)}
-<h1>${escaped(title)}</h1>${lead ? `\n<p class="lead">${lead}</p>` : ""}</header>
+<h1>${escaped(title)}</h1>${lead ? `\n<p class="lead">${lead}</p>` : ""}${sections.length ? `\n${contents(sections)}` : ""}</header>
 <main id="main">
 ${body}
 </main>
-<footer>Carlo: Monte Carlo rendering labs in C++20. What the pages compute is the suite’s own library and solutions,
+<footer>Carlo: Monte Carlo rendering labs in C++20. The pages compute with the suite’s own library and solutions,
 compiled to WebAssembly. Formulas are set by KaTeX (MIT; its fonts: SIL Open Font License).</footer>
 ${scripts.map((file) => `<script src="${file}"></script>`).join("\n")}
 </body></html>
@@ -70,11 +79,11 @@ export function labPage(context, lab, text) {
   const formulas = [...context.formulas.values()].filter((one) => one.number === lab.digits);
   const figures = figuresOf(context, lab);
   const parts = [
-    ["try", "Try it", live.length && `<p>Predict, then run. Everything below is computed here, in your browser, by this lab’s solution;
-the page’s address keeps controls and seed, so that a link shows the same numbers.</p>
+    ["try", "Try it", live.length && `<p>Predict first, then run. Everything below is computed in your browser, by this lab’s solution. The page’s
+address holds the controls and the seed, so a link to it shows the same numbers.</p>
 <noscript><p class="note">The experiments need JavaScript.</p></noscript>
-${live.map((name) => `<article class="live" id="${name}"></article>`).join("\n")}`],
-    ["handout", "The handout", `<div class="text">${text.html}</div>`],
+${live.map(([name]) => `<article class="live" id="${name}"></article>`).join("\n")}`, live],
+    ["handout", "The handout", `<div class="text">${text.html}</div>`, text.headings],
     ["formulas", "The lecture’s formulas", formulas.length && formulas.map((one) =>
       `<div class="formula" tabindex="0" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
     ["plots", "Measured by the lab’s experiments", figures.length && `<p>From runs of <code>./carlo lab ${lab.number} --solutions</code>,
@@ -84,17 +93,19 @@ as the lecture shows them.</p><div class="charts plots">${figures.join("\n")}</d
   return page(context, {
     name: lab.page,
     title: text.title,
-    lead: `${escaped(lab.title)}. ${parts.map(([id, title]) => `<a href="#${id}">${title}</a>`).join(" · ")}`,
+    lead: text.title.replaceAll(",", "").endsWith(lab.title.replaceAll(",", "").slice(1)) ? "" : `${escaped(lab.title)}.`,
+    sections: parts.map(([id, title, , within]) => [id, title, within]),
     body: parts.map(([id, title, body]) => section(id, title, body)).join("\n"),
     scripts: lab.live ? ["carlo.js", `lab${lab.number}.js`] : [],
   });
 }
 
-export const textPage = (context, text) =>
-  page(context, { name: "instructors.html", title: text.title, body: `<div class="text">${text.html}</div>` });
+export const textPage = (context, name, text, lead) =>
+  page(context, { name, title: text.title, lead, sections: text.headings, body: `<div class="text">${text.html}</div>` });
 
 /** The front page: its words are those of README.md. */
-export function frontPage(context, readme, { markdown }) {
+export function frontPage(context, readme, tools) {
+  const { markdown } = tools, html = (text) => `<div class="text">${htmlOf(text, tools, context.pages)}</div>`;
   const part = (from, to) => readme.slice(readme.indexOf(from), readme.indexOf(to, readme.indexOf(from)));
   const lead = part("Carlo is a suite", "\n\n"), picture = part("The default scene, rendered", "\n\n");
   const commands = [...part("## Start", "## Students").matchAll(/^ {4}(\.\/carlo .*)$/gm)].map(([, line]) => line);
@@ -109,15 +120,15 @@ ${escaped(lab.title)}</a></li>`).join("\n");
     lead: markdown.renderInline(lead),
     body: `<div class="hero"><figure><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
 <figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
-<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository; each installs what is missing.</p>
+<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository. Each installs whatever is missing.</p>
 <pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
-<p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
+<p>Or install nothing: the experiments on the labs’ pages run in your browser. Begin with <a href="lab01.html#curse">the curse of
 dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
-<section><h2>For a course</h2><div class="text">${markdown.render(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}</div>
-<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul></section>
-<section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
+<section><h2>For a course</h2>${html(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}
+${context.decks.size ? `<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul>` : ""}</section>
+<section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas, and experiments that run in your browser on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
-<section><h2>How fast, how accurate</h2><div class="text">${markdown.render(part("    ./carlo bench render\n", "    ./carlo test --hard")).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div>
+<section><h2>How fast, how accurate</h2>${html(part("    ./carlo bench render\n", "    ./carlo test --hard"))}
 <p><a href="gallery.html">The scenes</a>, each with its noise and its error against time.</p></section>`,
   });
 }

@@ -12,7 +12,7 @@ import { readData, readDefinitions } from "../tool/figures.mjs";
 import { Problems, UserError } from "../tool/problems.mjs";
 import { Runs } from "../tool/runs.mjs";
 import { gallery } from "./gallery.mjs";
-import { formulasOf, textOf, typesetter } from "./handout.mjs";
+import { formulasOf, glossaryOf, textOf, typesetter } from "./handout.mjs";
 import { frontPage, labPage, textPage } from "./pages.mjs";
 
 const root = path.resolve(fileURLToPath(new URL("../..", import.meta.url)));
@@ -38,7 +38,7 @@ function buildModule() {
   return path.join(folder, "carlo.js");
 }
 
-/** Copies the labs' decks that are built; large data of each goes into a file that others share. */
+/** Copies the labs' decks that are built, without links to those that are not; large data goes into files that all share. */
 function copyDecks(book, labs, out) {
   const from = path.join(root, "out/slides"), to = path.join(out, "slides");
   const names = book.decks
@@ -53,7 +53,8 @@ function copyDecks(book, labs, out) {
         const file = `data/${crypto.createHash("sha256").update(bytes).digest("hex").slice(0, 16)}.${kind}`;
         fs.writeFileSync(path.join(to, file), bytes);
         return file;
-      });
+      })
+      .replace(/<a href="([^"#:]+\.html)#[^"]*">(.*?)<\/a>/g, (link, deck, words) => (names.includes(deck) ? link : words));
     fs.writeFileSync(path.join(to, name), html);
   }
   return new Set(names);
@@ -105,7 +106,7 @@ function main([programs, out]) {
   const pageOf = (deck) => labs.find((lab) => lab.digits === deck.number)?.page;
   const formulas = formulasOf(book, tools, pageOf);
   const pages = (file) => labs.find((lab) => file === `labs/${lab.folder}/README.md`)?.page ??
-    { "tests/INSTRUCTORS.md": "instructors.html", "README.md": "index.html" }[file];
+    { "tests/INSTRUCTORS.md": "instructors.html", "labs/glossary.md": "glossary.html" }[file];
   const write = (name, text) => fs.writeFileSync(path.join(out, name), text);
 
   say("writing the pages ...");
@@ -115,14 +116,16 @@ function main([programs, out]) {
     `\nconst carloScenes = ${execFileSync(path.join(programs, "carlo_site_native"), ["scenes"], { encoding: "utf8" })};\n` +
     fs.readFileSync(path.join(here, "web/live.js"), "utf8").replace('"use strict";', ""));
   const decks = copyDecks(book, labs, out);
-  const context = { root, book, labs, formulas, decks, write, out };
+  const context = { root, book, labs, formulas, decks, pages, write, out };
   for (const lab of labs) {
     const text = textOf(root, `labs/${lab.folder}/README.md`, tools, formulas, pages);
     if (lab.live) fs.copyFileSync(path.join(here, `web/lab${lab.number}.js`), path.join(out, `lab${lab.number}.js`));
     if (lab.picture) fs.copyFileSync(path.join(root, "labs", lab.folder, lab.picture), path.join(out, `lab${lab.digits}-${lab.picture}`));
     write(lab.page, labPage(context, lab, text));
   }
-  write("instructors.html", textPage(context, textOf(root, "tests/INSTRUCTORS.md", tools, formulas, pages)));
+  write("instructors.html", textPage(context, "instructors.html", textOf(root, "tests/INSTRUCTORS.md", tools, formulas, pages),
+                                     "The files named here are in the repository; <code>tests/INSTRUCTORS.md</code> is this page."));
+  write("glossary.html", textPage(context, "glossary.html", glossaryOf(textOf(root, "labs/glossary.md", tools, formulas, pages), labs)));
   fs.copyFileSync(path.join(root, "common/scenes/cornell_phong.jpg"), path.join(out, "cornell_phong.jpg"));
   write("index.html", frontPage(context, fs.readFileSync(path.join(root, "README.md"), "utf8"), tools));
   say("rendering the scenes ...");

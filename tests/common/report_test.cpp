@@ -226,16 +226,15 @@ TEST_CASE("A chart carries its points, its fitted line and a table of both", "[r
   CHECK(html.find("aria-label=\"Chart: error.") != std::string::npos);
 }
 
-TEST_CASE("An experiment draws the same numbers alone as behind others", "[report]") {
+TEST_CASE("An experiment draws the same numbers whenever it runs", "[report]") {
   carlo::Page page("title");
-  const auto first_word = [&page](int index, int count, int before) {
+  const auto first_word = [&page](int index, double from, double to) {
     carlo::Notebook notebook("label", {.seed = 7}, page);
-    notebook.set_experiment(index, count, before);
+    notebook.set_experiment(index, from, to);
     return notebook.rng().uniform();
   };
-  CHECK(first_word(0, 1, 3) == first_word(3, 9, 0));
-  CHECK(first_word(1, 2, 3) == first_word(4, 9, 0));
-  CHECK(first_word(0, 1, 3) != first_word(0, 9, 0));
+  CHECK(first_word(3, 0, 1) == first_word(3, 0.5, 0.6));
+  CHECK(first_word(3, 0, 1) != first_word(0, 0, 1));
 }
 
 TEST_CASE("A page needs nothing from outside and is the same each time", "[report]") {

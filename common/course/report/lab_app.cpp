@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,18 +42,23 @@ struct Arguments {
 struct Selection {
   std::vector<Experiment> experiments;
   std::vector<std::string> what_you_should_see;
-  int before = 0;  ///< number of the lab's experiments before them
+  int before = 0;             ///< number of the lab's experiments before them
+  std::vector<double> times;  ///< of the experiments, relative to one another
 };
 
 /// Selects the whole lab or a single step.
 Selection selected(const LabApp& lab, const std::string& name) {
-  if (lab.steps.empty()) return {lab.experiments, lab.what_you_should_see};
+  if (lab.steps.empty()) {
+    return {lab.experiments, lab.what_you_should_see, 0,
+            std::vector<double>(lab.experiments.size(), 1)};
+  }
   Selection selection;
   for (const Step& step : lab.steps) {
     if (name.empty() || name == step.name) {
       selection.experiments.insert(selection.experiments.end(), step.experiments.begin(),
                                    step.experiments.end());
       selection.what_you_should_see.push_back(step.seen);
+      selection.times.resize(selection.experiments.size(), step.time);
     } else if (selection.experiments.empty()) {
       selection.before += static_cast<int>(step.experiments.size());
     }
@@ -148,9 +154,12 @@ std::string command_line(int number, int argc, char** argv) {
 
 void run_experiments(const Selection& lab, const std::optional<Predictions>& predictions,
                      Notebook& notebook) {
+  const double all = std::accumulate(lab.times.begin(), lab.times.end(), 0.0);
+  double done = 0;
   for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
-    notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()),
-                            lab.before);
+    const double from = done / all;
+    done += lab.times[i];
+    notebook.set_experiment(lab.before + static_cast<int>(i), from, done / all);
     lab.experiments[i](notebook);
   }
   notebook.finish();

@@ -19,6 +19,9 @@ struct Step {
   std::string name;
   std::vector<Experiment> experiments;
   std::string seen;  ///< what the student should see
+  /// How long each of its experiments takes, relative to those of other steps: for the estimate of
+  /// the time that is left.
+  double time = 1;
 };
 
 /// A lab's executable: its experiments and the text around them.

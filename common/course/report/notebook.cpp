@@ -83,16 +83,17 @@ void Notebook::warn(const std::string& text) {
   page_.note(text);
 }
 
-void Notebook::set_experiment(int index, int count, int before) {
-  experiment_ = index;
+void Notebook::set_experiment(int index, double from, double to) {
+  from_ = from;
+  to_ = to;
   // An experiment's random numbers do not depend on which others were run before it, nor on which
   // exercises those found done.
-  next_stream_ = static_cast<std::uint64_t>(before + index) << 32;
-  experiments_ = count;
+  next_stream_ = static_cast<std::uint64_t>(index) << 32;
+  progress(0, 1);
 }
 
 void Notebook::progress(double done, double total) {
-  bar_.update((experiment_ + done / total) / experiments_);
+  bar_.update(from_ + (to_ - from_) * done / total);
 }
 
 }  // namespace carlo

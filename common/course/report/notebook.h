@@ -71,9 +71,9 @@ class Notebook {
 
   /// Reports progress: `done` of `total` steps of the current experiment.
   void progress(double done, double total);
-  /// Sets the current experiment, of `count` that are run, after `before` of the lab that are left
-  /// out.
-  void set_experiment(int index, int count, int before = 0);
+  /// Sets the current experiment, by its number in the lab; its part of the run is between the
+  /// fractions `from` and `to` of the time.
+  void set_experiment(int index, double from, double to);
   /// For code that may never return: the progress line reports a standstill.
   void report_stalls() { bar_.report_stalls(); }
   void finish() { bar_.finish(); }
@@ -95,7 +95,7 @@ class Notebook {
   std::set<std::string> left_out_;
   std::set<std::string> left_out_here_;
   std::uint64_t next_stream_ = 0;
-  int experiment_ = 0, experiments_ = 1;
+  double from_ = 0, to_ = 1;
 };
 
 }  // namespace carlo

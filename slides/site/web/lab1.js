@@ -13,10 +13,10 @@ const ruleOrder = [2, 2, 4];
 
 carlo.experiment("curse", {
   title: "The curse of dimensions",
-  intro: "A rule of lab 1.4 nested in every dimension, against Monte Carlo, on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
+  intro: "A rule of lab 1.4, nested in d dimensions, against Monte Carlo on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
   question: "from which dimension on does Monte Carlo fall faster than the midpoint rule?",
   choices: ["2", "3", "5", "9", "never"],
-  answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 both are alike.",
+  answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 the two are equal.",
   asked: { d: 5, f: 0, rule: 0 },
   controls: {
     d: { label: "dimensions d", min: 1, max: 10, step: 1, value: 4 },
@@ -52,9 +52,9 @@ carlo.experiment("curse", {
 carlo.experiment("spike", {
   title: "Error bars that miss",
   intro: "The integrand is 1 everywhere on [0, 1] and 1 + 1/w on a spike of width w: half of its integral, 2, sits where a uniform point falls with probability w, like a small bright light. A thousand runs, each with its 95 % interval by lab 1.3.",
-  question: "of 1000 intervals with N = 1/w points each, how many hold the integral?",
+  question: "of 1000 intervals with N = 1/w points each, how many contain the integral?",
   choices: ["about 950", "about 800", "about 600", "hardly any"],
-  answer: "about 600. A share (1 − w)ᴺ, some 37 %, of the runs never meets the spike, and their intervals are empty.",
+  answer: "about 600. In a share (1 − w)ᴺ of the runs, some 37 %, no point meets the spike, and the interval has no width.",
   asked: { w: 0.001, n: 1000 },
   controls: {
     w: { label: "width w of the spike", steps: [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001], value: 0.001 },
@@ -63,7 +63,7 @@ carlo.experiment("spike", {
   async run({ w, n, seed }, view) {
     const shown = 60, runs = 1000;
     const found = carlo.call("1.spike", w, n, runs, seed, shown);
-    view.say(`${Math.round(1000 * found[0])} of 1000 intervals hold the integral. In ${carlo.digits(100 * found[2])} % of all runs ` +
+    view.say(`${Math.round(1000 * found[0])} of 1000 intervals contain the integral. In ${carlo.digits(100 * found[2])} % of all runs ` +
       "(1 − w)ᴺ no point meets the spike: the estimate is then exactly 1, its error bar 0, and nothing in the run says so.");
     drawIntervals(view, found.subarray(3));
     const sizes = [10, 30, 100, 300, 1000, 3000, 10000, 30000];
@@ -73,7 +73,7 @@ carlo.experiment("spike", {
       share.push(100 * held), error.push(rms), seconds.push(time / 200);
       await view.pause();
       const at = sizes.slice(0, share.length);
-      view.plot("Intervals that hold the integral", { x: { label: "points N", log: true, unit: "count" },
+      view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" },
         y: { label: "% of 200 runs", range: [0, 100] }, series: [{ name: "measured", x: at, y: share },
           { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
       const theory = at.map((x) => Math.sqrt((1 / w - 1) / x));
@@ -89,12 +89,11 @@ carlo.experiment("spike", {
 function drawIntervals(view, pairs) {
   const count = pairs.length / 2;
   const most = Math.max(3, ...Array.from({ length: count }, (_, i) => pairs[2 * i] + 2 * pairs[2 * i + 1]));
-  view.canvas("The first 60 runs", { shape: 0.62, note: "mean and 95 % interval; orange: does not hold 2, the vertical line",
+  view.canvas("The first 60 runs", { shape: 0.62, note: "mean and 95 % interval; orange: does not contain 2, the vertical line",
     label: `Means and intervals of ${count} runs` }, (g, width, height) => {
     const x = (value) => (0.04 + 0.92 * value / most) * width;
     g.fillStyle = carlo.colour("--soft");
     g.fillRect(x(2), 0, 1, height - 16);
-    g.font = "12px system-ui, sans-serif";
     for (const tick of [0, 1, 2]) g.fillText(String(tick), x(tick) - 3, height - 3);
     for (let i = 0; i < count; ++i) {
       const mean = pairs[2 * i], half = 1.96 * pairs[2 * i + 1];

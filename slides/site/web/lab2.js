@@ -5,7 +5,7 @@ const dartSizes = (most) => Array.from({ length: 12 }, (_, i) => 16 * 4 ** i).fi
 carlo.experiment("darts", {
   title: "Darts at a circle",
   intro: "Darts fall uniformly on the unit square; four times the share inside the quarter disc estimates π. Two other integrands with the same integral compete: the circle's height 4 √(1 − x²) and the arctangent's derivative 4/(1 + x²).",
-  question: "how many more darts than samples of 4/(1 + x²) does the same error take?",
+  question: "compared with samples of 4/(1 + x²), how many darts does the same error take?",
   choices: ["as many", "twice as many", "about six times", "a hundred times"],
   answer: "about six times, the ratio of the two variances.",
   controls: {
@@ -50,14 +50,14 @@ carlo.experiment("intervals", {
   },
   async run({ n, z, seed }, view) {
     const runs = 1000, found = carlo.call("2.intervals", n, z, runs, seed), exact = carlo.call("2.coverage", n, z);
-    view.say(`Of ${runs}, ${Math.round(1000 * found[0])} simple and ${Math.round(1000 * found[1])} score intervals hold π; by the binomial ` +
+    view.say(`Of ${runs}, ${Math.round(1000 * found[0])} simple and ${Math.round(1000 * found[1])} score intervals contain π; by the binomial ` +
       `distribution it should be ${carlo.digits(1000 * exact[0])} and ${carlo.digits(1000 * exact[1])}.`);
     ["estimate ± z standard errors", "Wilson's score interval"].forEach((title, kind) =>
       drawThousand(view, title, found.subarray(2), kind));
     const sizes = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 256, 512, 1024];
     const rows = sizes.map((size) => carlo.call("2.coverage", size, z));
     const promised = 100 * normalShare(z);
-    view.plot("Intervals that hold π", { x: { label: "darts N a run", log: true, unit: "count" }, y: { label: "% of runs", range: [40, 100] },
+    view.plot("Intervals that contain π", { x: { label: "darts N a run", log: true, unit: "count" }, y: { label: "% of runs", range: [40, 100] },
       series: [{ name: "simple", x: sizes, y: rows.map(([simple]) => 100 * simple) }, { name: "score", x: sizes, y: rows.map(([, score]) => 100 * score) },
         { name: "promised", guide: true, x: sizes, y: sizes.map(() => promised) }] }, "exact, by the binomial distribution");
     await view.ladder({ methods: [{ name: "darts", sizes: dartSizes(65536), theory: -0.5,
@@ -73,7 +73,7 @@ function normalShare(z) {
 /** All intervals as a fan of lines in the order of their runs; those that miss π in the second colour. */
 function drawThousand(view, title, bounds, kind) {
   const runs = bounds.length / 4;
-  view.canvas(title, { shape: 0.7, label: `${runs} intervals`, note: "one column a run; orange: does not hold π" }, (g, width, height) => {
+  view.canvas(title, { shape: 0.7, label: `${runs} intervals`, note: "one column a run; orange: does not contain π" }, (g, width, height) => {
     const y = (value) => height * (1 - Math.min(4.2, Math.max(0, value)) / 4.2);
     for (let i = 0; i < runs; ++i) {
       const [lower, upper] = [bounds[4 * i + 2 * kind], bounds[4 * i + 2 * kind + 1]];
@@ -82,7 +82,6 @@ function drawThousand(view, title, bounds, kind) {
     }
     g.fillStyle = carlo.colour("--ink");
     g.fillRect(0, y(Math.PI), width, 1);
-    g.font = "12px system-ui, sans-serif";
     for (const tick of [0, 1, 2, 3, 4]) g.fillText(String(tick), 2, Math.min(height - 2, y(tick) - 2));
   });
 }

@@ -8,7 +8,7 @@ carlo.experiment("mis", {
   intro: "A plate reflects one light, on a line of directions. Either draw points of the light, or directions of the plate's lobe, or half of each with Veach and Guibas' weights (labs 6.6 and 6.7). The integral is known in closed form.",
   question: "a small light and a rough plate: which technique alone is better?",
   choices: ["points of the light", "directions of the lobe", "they are equal"],
-  answer: "points of the light. A direction of a wide lobe seldom meets a small light. Set a large light and a smooth plate, and it is the other way round; weighted, the error stays close to that of the better one without your knowing which it is.",
+  answer: "points of the light. A direction of a wide lobe seldom meets a small light. With a large light and a smooth plate it is the other way round. With weights, the error stays close to that of the better technique, and you need not know which one that is.",
   asked: { half: 0.003, scale: 0.03, m: 0.54 },
   controls: {
     half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.003 },
@@ -31,7 +31,7 @@ carlo.experiment("mis", {
     view.slopes(methods, fits);
     const errors = ways.map((_, way) => carlo.call("6.errors", half, scale, m, way, 64, 400, seed)[0]);
     view.say(`With 64 samples the relative error is ${ways.map((name, i) => `${carlo.digits(errors[i])} (${name})`).join(", ")}. ` +
-      `A slope that is not −1/2 tells of an infinite or hardly finite variance.`);
+      `A slope other than −1/2 is a sign of an infinite or barely finite variance.`);
   },
 });
 
@@ -100,7 +100,7 @@ carlo.experiment("tails", {
       },
       exactName: "σ/√N", exact: (size) => Math.sqrt(variance / size) };
     const fits = await view.ladder({ methods: [method], runs: () => runs, xlabel: "points N" });
-    view.plot("Intervals that hold the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
+    view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [{ name: "measured", x: sizes, y: held }, { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     view.slopes([method], fits);
     view.say(`σ² of one contribution: ${carlo.digits(variance)}${variance < Infinity ? " (25/((n + 1)(9 − n)) − 1)" : ""}. Contributions have a tail P(Y > y) ~ y<sup>−a</sup> with ` +

@@ -14,8 +14,8 @@ const isSpecular = (scene) => ["room with balls", "caustics"].includes(sceneName
 
 carlo.experiment("tracer", {
   title: "The path tracer",
-  intro: "Lab 8's tracers at 128 × 128 pixels, one thread. Two of them side by side get the same time, in turns. The error is the root mean square of the pixels' standard errors, relative to the mean luminance: noise alone, which does not know that a longest path leaves light out. Touch or hover over a pixel, or move with the arrow keys, for its own.",
-  question: "the same seconds, the Cornell box: how large is the error of the tracer that samples lights, compared with that of TracePath?",
+  intro: "Two of lab 8's tracers side by side, at 128 × 128 pixels on one thread. They take turns and get the same time. The error is the root mean square of the pixels' standard errors, relative to the mean luminance. It measures noise alone: light that is lost to a limit on the length of paths does not show in it. Touch or hover over a pixel, or move with the arrow keys, to see its own error.",
+  question: "with the same time for the Cornell box, how large is the error of the tracer that samples lights, compared with TracePath's?",
   choices: ["the same", "about half", "a tenth", "a hundredth"],
   answer: "about half. TracePath finds the light only by chance.",
   asked: { scene: 0, left: 1, right: 2, depth: 0 },
@@ -99,7 +99,7 @@ function drawErrors(view, sides) {
 carlo.experiment("furnace", {
   title: "TracePath's error bars in a furnace",
   intro: "A closed sphere emits 1 and reflects the share ρ: the radiance is 1/(1 − ρ) everywhere. The lecture's TracePath chooses emission with probability .9; the corrected one always adds it (lab 8.4).",
-  question: "at ρ = .5, how often do the lecture's 95 % error bars hold the truth?",
+  question: "at ρ = .5, how often do the lecture's 95 % error bars contain the truth?",
   choices: ["in 95 % of all runs", "in about half of them", "hardly ever"],
   answer: "in about half of them. Its contributions have an infinite variance: most runs have not met the rare large ones.",
   asked: { rho: 0.5 },
@@ -118,7 +118,7 @@ carlo.experiment("furnace", {
       },
       exact: (n) => deviations[rule] / Math.sqrt(n) }));
     const fits = await view.ladder({ methods, runs: (n) => Math.max(16, Math.min(200, Math.round(2e5 / n))), xlabel: "paths N" });
-    view.plot("Error bars that hold the truth", { x: { label: "paths N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
+    view.plot("Error bars that contain the truth", { x: { label: "paths N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [...names.map((name, i) => ({ name, x: sizes, y: held[i] })), { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     const last = [];
     for (const rule of [0, 1]) {
@@ -139,7 +139,7 @@ carlo.experiment("furnace", {
 });
 
 carlo.experiment("recap", {
-  title: "The Recap's slip",
+  title: "A slip in the Recap",
   intro: "A ball of light at the centre of a spherical room. TracePath as printed in the lecture's Recap multiplies by p_light, one over the light's solid angle, where its density demands a division; the corrected form divides.",
   question: "a ball of three tenths of the room's radius: what does the printed form give?",
   choices: ["the right radiance, with more noise", "a third of it", "three times as much", "no value at all"],
@@ -174,6 +174,6 @@ carlo.experiment("recap", {
       series: methods.map(({ name, seconds }, i) => ({ name, x: seconds, y: errors[i] })) });
     const [, , , printed, random] = methods[0].points[0];
     const times = (mean) => (mean < Infinity ? `has ${carlo.digits(mean / exact)} times the right radiance as its mean` : "has no finite mean: each bounce brings more than the one before");
-    view.say(`The Recap as printed ${times(printed)}; a random direction, not divided by its density, ${times(random)}. No number of paths mends a wrong weight.`);
+    view.say(`The Recap as printed ${times(printed)}; a random direction, not divided by its density, ${times(random)}. No number of paths makes up for a wrong weight.`);
   },
 });

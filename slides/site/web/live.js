@@ -116,7 +116,7 @@ const carlo = (() => {
 
     plot(title, spec, note) {
       const place = this.figure(title, note);
-      const width = Math.max(280, Math.min(460, Math.round(place.clientWidth / 1.15)));
+      const width = Math.max(280, Math.min(460, Math.round(place.clientWidth / zoom() / 1.15)));
       place.innerHTML = plotSvg(spec, width);
     }
 
@@ -130,19 +130,19 @@ const carlo = (() => {
         `${rows.map((row) => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>`;
     }
 
-    /** A canvas of this shape, in CSS pixels as wide as its place; `draw(g, width, height)`. */
+    /** A canvas of this shape, as wide as its place; `draw(g, width, height)`, letters 12 high. */
     canvas(title, { shape = 1, note, label }, draw) {
       const place = this.figure(title, note);
       if (place.firstChild?.tagName !== "CANVAS") place.replaceChildren(document.createElement("canvas"));
       const canvas = place.firstChild;
       canvas.setAttribute("role", "img");
       canvas.setAttribute("aria-label", label ?? title);
-      const width = place.clientWidth, height = Math.round(width * shape), ratio = window.devicePixelRatio || 1;
-      canvas.width = width * ratio;
-      canvas.height = height * ratio;
-      canvas.style.height = `${height}px`;
+      const scale = zoom() * (window.devicePixelRatio || 1), width = place.clientWidth / zoom(), height = Math.round(width * shape);
+      canvas.width = width * scale;
+      canvas.height = height * scale;
       const g = canvas.getContext("2d");
-      g.scale(ratio, ratio);
+      g.scale(scale, scale);
+      g.font = "12px system-ui, sans-serif";
       draw(g, width, height);
       return canvas;
     }
@@ -189,7 +189,6 @@ const carlo = (() => {
           }
           g.globalAlpha = 1;
           g.fillStyle = colour("--soft");
-          g.font = "12px system-ui, sans-serif";
           for (const [text, p] of axes ?? []) g.fillText(text, ...at(p).slice(0, 2));
         });
       const product = (a, b) => a.map((row) => [0, 1, 2].map((j) =>
@@ -260,6 +259,8 @@ const carlo = (() => {
     }
   }
 
+  /** What the page's letters are over their usual 16 pixels: plots and drawings grow with them. */
+  const zoom = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
   const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
   // Controls ------------------------------------------------------------------------------------------
@@ -295,7 +296,7 @@ const carlo = (() => {
       `<label><input type="radio" name="${name}-expected" value="${i}"> ${curly(text)}</label>`).join("");
     article.innerHTML = `<h3>${curly(definition.title)}</h3><p>${curly(definition.intro)}</p>
 <fieldset class="expect"><legend>Before you run it: ${curly(definition.question)}</legend>${expects}
-${definition.asked ? '<button type="button" data-asked>Set up what is asked</button>' : ""}</fieldset>
+${definition.asked ? '<button type="button" data-asked>Set the controls for this question</button>' : ""}</fieldset>
 <form class="controls">${Object.entries(controls).map(([id, one]) => controlHtml(name, id, one)).join("")}
 <div class="buttons"><button type="submit">Run</button><button type="button" data-next>Another seed</button><button type="button" data-stop hidden>Stop</button></div></form>
 <p class="status" role="status"></p><div class="charts"></div>`;
@@ -337,7 +338,7 @@ ${definition.asked ? '<button type="button" data-asked>Set up what is asked</but
         const guess = expected ? `You expected: ${expected.parentNode.textContent.trim()}. ` : "";
         const answer = document.createElement("span");
         answer.className = "answer";
-        answer.textContent = curly(`${guess}The answer to the question: ${definition.answer}`);
+        answer.textContent = curly(`${guess}Answer: ${definition.answer}`);
         status.append(answer);
         ended();
       } catch (error) {
@@ -378,11 +379,11 @@ ${definition.asked ? '<button type="button" data-asked>Set up what is asked</but
     const named = text && shown.get(name);
     if (!named) return;
     named.take(Object.fromEntries([...new URLSearchParams(text)].map(([key, value]) => [key, Number(value)])));
-    named.article.scrollIntoView();
+    named.article.scrollIntoView({ behavior: "instant" });
   }
   // The page grows while experiments are set up, after the browser has gone to the address's section.
   window.addEventListener("load", () => {
-    if (!location.hash.includes("?")) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+    if (!location.hash.includes("?")) document.getElementById(location.hash.slice(1))?.scrollIntoView({ behavior: "instant" });
   });
   window.addEventListener("DOMContentLoaded", followAddress);
   window.addEventListener("hashchange", followAddress);

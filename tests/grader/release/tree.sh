@@ -38,7 +38,7 @@ student_patterns() {
 ^\.(vscode|devcontainer)/
 ^\.github/workflows/grade\.yml$
 ^common/
-^labs/(CMakeLists\.txt|README\.md)$
+^labs/(CMakeLists\.txt|README\.md|glossary\.md)$
 ^tests/CMakeLists\.txt$
 ^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake)$
 ^tests/grader/(judge|page|protocol|replay|worker)/
