@@ -126,8 +126,9 @@ std::string for_a_shell(const std::string& path) {
 /// the same wherever and however often it was made. Paths may hold names.
 std::string command_of(const Options& options) {
   std::string command = "./carlo grade";
+  if (options.no_names) command += " SUBMISSIONS";
   for (const std::string& path : options.paths)
-    command += " " + (options.no_names ? "SUBMISSIONS" : for_a_shell(path));
+    command += options.no_names ? "" : " " + for_a_shell(path);
   for (std::size_t i = 0; i < options.labs.size(); ++i)
     command += fmt::format("{}{}", i == 0 ? " --labs " : ",", options.labs[i]);
   return command + (options.no_names ? " --no-names" : "");
