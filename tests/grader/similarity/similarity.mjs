@@ -68,6 +68,8 @@ const sumOf = (fingerprints, file, power) =>
   [...fingerprints].reduce((sum, one) => sum + one.occurrencesOf(file).length ** power, 0);
 const percent = (share) => `${Math.round(100 * share)} %`;
 
+const by_name = (a, b) => (a < b ? -1 : a > b ? 1 : 0);
+
 /// Returns a text's beginning without the signs that would turn its direction; never half a character.
 const shown = (text) => Array.from(text.slice(0, 400)).slice(0, 160).join("").replace(/[\u202a-\u202e\u2066-\u2069]/g, "?");
 
@@ -122,13 +124,13 @@ function compare(lab, submissions) {
       `has too little of its own: ${percent(stubs.get(entry.file) / all)} is the stub's code, ` +
       `${percent((given - stubs.get(entry.file)) / all)} the solution's` });
   }
+  left_out.sort((a, b) => by_name(a.name, b.name));
   const pairs = [], entries = [...own.keys()];
   entries.forEach((first, i) => entries.slice(i + 1).forEach((second) => {
     const pair = index.getPair(first, second);
     pairs.push({ first: first.path, second: second.path, overlap: pair.overlap, longest: pair.longest,
       similarity: pair.overlap / (own.get(first) + own.get(second)), files: [first, second] });
   }));
-  const by_name = (a, b) => (a < b ? -1 : a > b ? 1 : 0);
   pairs.sort((a, b) => b.similarity - a.similarity || b.longest - a.longest || b.overlap - a.overlap ||
     by_name(a.first, b.first) || by_name(a.second, b.second));
   return { folder: lab.folder, compared: entries.map((file) => file.path), left_out,
