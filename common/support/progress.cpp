@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace carlo {
 
@@ -46,18 +47,26 @@ void Progress::update(double fraction) {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   last_report_ = now;
-  fraction_ = std::clamp(fraction, 0.0, 1.0);
-  total_seconds_ = std::chrono::duration<double>(now - start_).count() / fraction_;
+  const double before = std::exchange(fraction_, std::clamp(fraction, 0.0, 1.0));
+  if (fraction_ > before) {
+    last_step_ = fraction_ - before;
+    last_step_at_ = now;
+  }
   if (!bar_ || (drawn_ && now - last_draw_ < std::chrono::milliseconds(100))) return;
   draw(remaining());
 }
 
 std::string Progress::remaining() const {
   if (!(fraction_ > 0.01)) return "estimating";
-  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  // Between two reports the estimate counts down.
-  const double left = std::max(0.0, total_seconds_ - elapsed);
-  return left > 0 || fraction_ == 1 ? format_seconds(left) + " left" : "longer than estimated";
+  const auto seconds = [](Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+  };
+  const auto now = Clock::now();
+  // Work in a few large steps is not slower while one of them goes on: the estimate of the last
+  // report runs down, until even a step that ends now would be late. The last one is half done.
+  const double estimate = seconds(last_step_at_ - start_) / fraction_ - seconds(now - start_);
+  const double next = std::max(fraction_, std::min(fraction_ + last_step_, 1 - last_step_ / 2));
+  return format_seconds(std::max(estimate, seconds(now - start_) * (1 - next) / next)) + " left";
 }
 
 void Progress::clear() {

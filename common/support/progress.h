@@ -41,10 +41,10 @@ class Progress {
   std::string label_;
   bool enabled_, bar_;  ///< a bar, or lines
   bool drawn_ = false, finished_ = false, stalls_ = false;
-  double fraction_ = 0;
+  double fraction_ = 0, last_step_ = 0;  ///< done, and by how much the last report raised it
   Clock::time_point start_ = Clock::now();
+  Clock::time_point last_step_at_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
-  double total_seconds_ = 0;  ///< as estimated at the last update
   std::mutex mutex_;          ///< guards everything above
   std::condition_variable woken_;
   std::thread watcher_;

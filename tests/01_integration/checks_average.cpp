@@ -22,6 +22,10 @@ namespace {
 
 const Diagnosis by_n_plus_one{"divides-by-n-plus-one",
                               "the sum of n values is divided by n + 1 and not by n."};
+const Diagnosis by_n_minus_one{
+    "divides-by-n-minus-one",
+    "the sum of n values is divided by n - 1 and not by n: n - 1 belongs to a variance, not to a "
+    "mean."};
 const Diagnosis term_too_many{"one-term-too-many",
                               "one term too many is added: f is evaluated n + 1 times, not n. "
                               "Look at where the loop begins and where it ends."};
@@ -31,6 +35,9 @@ const Diagnosis float_sum{"float-accumulation",
 const Diagnosis width_missing{"missing-interval-width",
                               "the average over [a, b) is not yet the integral: the width b - a is "
                               "missing."};
+const Diagnosis over_width{"divided-by-interval-width",
+                           "the average over [a, b) is divided by the width b - a: the integral is "
+                           "the average times the width."};
 const Diagnosis wrong_points{"points-outside-interval",
                              "f is evaluated outside the interval: check how [0, 1) is mapped to "
                              "it."};
@@ -89,8 +96,11 @@ Verdict is_mean_of_values(const Record& of, int k, double scale) {
   if (of.count != n) return equals(what, of.value, expected, 1e-12 * std::abs(expected));
   Suspects suspects{
       {expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}, of_whole_division(n)};
-  if (std::abs(scale - 1) > 1e-9) suspects.push_back({mean, width_missing});
+  if (n > 1) suspects.push_back({expected * n / (n - 1), by_n_minus_one});
+  if (std::abs(scale - 1) > 1e-9)
+    suspects.insert(suspects.end(), {{mean, width_missing}, {mean / scale, over_width}});
   Verdict verdict = equals(what, of.value, expected, 1e-12 * std::abs(expected), suspects);
+  if (n == 1 && std::isinf(of.value)) verdict.diagnoses.push_back(by_n_minus_one);
   const bool near = std::abs(of.value - expected) <= 1e-5 * std::abs(expected);
   if (!verdict.passed && near) verdict.diagnoses.push_back(float_sum);
   return verdict;
@@ -170,9 +180,12 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
   const Theory theory = theory_of_mean(power_moments(k, on.a, on.b), n, width);
   // A map from [0, 1) to [a, a + b) is the usual mistake.
   const double shifted = width * power_mean(k, on.a, on.a + on.b);
-  Suspects suspects{{theory.mean / width, width_missing}, {shifted, wrong_points}};
+  Suspects suspects{{theory.mean / width, width_missing},
+                    {theory.mean / (width * width), over_width},
+                    {shifted, wrong_points}};
   if (n > 1) {  // for a single point these look like a wrong width
     suspects.push_back({theory.mean * n / (n + 1), by_n_plus_one});
+    suspects.push_back({theory.mean * n / (n - 1), by_n_minus_one});
     suspects.push_back({theory.mean * (n + 1) / n, term_too_many});
     suspects.push_back({theory.mean * n, not_divided});
     suspects.push_back(of_whole_division(n));
@@ -203,6 +216,7 @@ TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
               {.rows = 20'000, .of = powers(k, 16)});
     const Theory theory = theory_of_mean(power_moments(k, 0, 1), 16);
     const Suspects suspects{{theory.mean * 16 / 17, by_n_plus_one},
+                            {theory.mean * 16 / 15, by_n_minus_one},
                             {theory.mean * 17 / 16, term_too_many},
                             {theory.mean * 16, not_divided},
                             of_whole_division(16)};

@@ -23,9 +23,6 @@ const Unsaid unsaid{"domain", "integrand", "pattern", "rule"};
 
 const Diagnosis one_side{"volume-of-one-dimension",
                          "the average is multiplied by one side of the box and not by all."};
-const Diagnosis same_number{"same-number-in-every-dimension",
-                            "all coordinates of a point come from one random number: the points "
-                            "lie on the diagonal."};
 const Diagnosis outside_box{"points-outside-box", "f is evaluated outside the box."};
 
 double box_volume(int d) {

@@ -6,6 +6,7 @@
 #include "grader/protocol/next_words.h"
 #include "random/rng.h"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -43,6 +44,14 @@ struct Points {
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i] = (all[i] - lowest[i % d]) / (highest[i % d] - lowest[i % d]);
     return all;
+  }
+  /// Whether all coordinates of each point have the same relative position.
+  bool on_diagonal(std::span<const double> lowest, std::span<const double> highest) const {
+    const std::vector<double> all = shares(lowest, highest);
+    bool same = d > 1;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      same = same && std::abs(all[i] - all[i - i % d]) <= 1e-9;
+    return same;
   }
 };
 

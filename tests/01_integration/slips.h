@@ -21,6 +21,10 @@ inline carlo::grader::Suspect of_whole_division(double n) {
 inline const carlo::grader::Diagnosis sum_of_sides{
     "sum-of-sides", "the box's volume is taken as the sum of its sides; it is their product."};
 
+inline const carlo::grader::Diagnosis same_number{
+    "same-number-in-every-dimension",
+    "all coordinates of a point come from one random number: the points lie on the diagonal."};
+
 /// The results if `mean` is multiplied by a sum of sides instead of the box's volume, for sums that
 /// begin with 0 and with 1. With a single side the sum is right.
 inline void add_sums_of_sides(carlo::grader::Suspects& suspects, double mean, double sides, int d) {

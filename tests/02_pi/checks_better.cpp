@@ -47,6 +47,10 @@ const Diagnosis one_more{"samples-one-more",
 const Diagnosis z_missing{"z-missing",
                           "the half width is treated as one standard error, not as "
                           "z of them."};
+const Diagnosis one_not_squared{
+    "one-factor-not-squared",
+    "one of z, deviation and half_width is not squared: N is the square "
+    "of z deviation / half_width, of all of it."};
 const Diagnosis full_width{"full-width-for-half",
                            "half_width is taken for the whole width of the interval."};
 
@@ -121,7 +125,10 @@ void judge_samples(const PlanQuestion& plan, double measured, double tolerance) 
                 {std::floor(root * root), rounded_down},
                 {std::round(root * root), rounded_down},
                 {std::ceil(4 * root * root), full_width},
-                {std::ceil(without_z * without_z), z_missing}};
+                {std::ceil(without_z * without_z), z_missing},
+                {std::ceil(root * root / plan.z), one_not_squared},
+                {std::ceil(root * root / plan.deviation), one_not_squared},
+                {std::ceil(root * root * plan.half_width), one_not_squared}};
   if (tolerance == 0 && root > 0 && root * root == expected)
     suspects.push_back({expected + 1, one_more});
   constexpr double most = 2147483647;

@@ -24,6 +24,9 @@ const Diagnosis last_not_counted{"accepted-dart-not-counted",
 const Diagnosis only_y_redrawn{"x-kept-after-rejection",
                                "a rejected dart is discarded, with its x: keeping x and drawing "
                                "y again accepts every x eventually, and f no longer matters."};
+const Diagnosis second_height{"second-height-for-a-dart",
+                              "a dart above f is given a second height before it is discarded: a "
+                              "rejected dart is over, and the next one has a new x."};
 const Diagnosis same_number{"one-number-for-x-and-y",
                             "x and y come from one random number: the darts lie on a diagonal."};
 const Diagnosis y_first{"y-drawn-before-x", "the contract asks for x first, then y."};
@@ -114,6 +117,18 @@ Verdict not_refused(Target target) {
                "numbers: it keeps within its bound");
 }
 
+/// Three numbers a rejected dart, and two or three for the one that is accepted.
+bool has_second_heights(const Rows& rows) {
+  bool all = true, at_first = false, at_second = false;
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const double darts = rows.at(i, 1), drawn = rows.at(i, 3);
+    all = all && (drawn == 3 * darts || drawn == 3 * darts - 1);
+    at_first = at_first || (drawn == 3 * darts - 1 && darts > 1);
+    at_second = at_second || drawn == 3 * darts;
+  }
+  return all && at_first && at_second;
+}
+
 /// Two numbers make a dart, of which x is returned. If this fails, the samples' other properties
 /// follow from that.
 bool darts_are_whole() {
@@ -124,7 +139,7 @@ bool darts_are_whole() {
     one_number = one_number && rows.at(i, 3) == rows.at(i, 1);
     heights = heights && std::abs(rows.at(i, 0) - c.bound * rows.at(i, 5)) <= 1e-12;
   }
-  return !one_number && !heights;
+  return !one_number && !heights && !has_second_heights(rows);
 }
 
 /// The samples of one function, compared by x.
@@ -197,8 +212,10 @@ void judge_record(Target target) {
   for (double& count : twice)
     count *= 2;
   const bool one_each = std::equal(drawn.begin(), drawn.end(), darts.begin());
-  judge(all_equal("the numbers drawn, two a dart", drawn, twice, 0,
-                  one_each ? std::vector{same_number} : std::vector<Diagnosis>{}));
+  std::vector<Diagnosis> diagnoses;
+  if (one_each) diagnoses = {same_number};
+  if (has_second_heights(rows)) diagnoses = {second_height};
+  judge(all_equal("the numbers drawn, two a dart", drawn, twice, 0, diagnoses));
   judge(all_equal("evaluations of f, one a dart", column(rows, 2), darts, 0));
   judge_x(rows, target_case(target));
 }

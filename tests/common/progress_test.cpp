@@ -8,10 +8,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <string>
 #include <thread>
+#include <vector>
 
 using namespace std::chrono_literals;
 
@@ -45,6 +47,16 @@ std::string at_terminal(const Work& work) {
   return said;
 }
 
+/// Returns the estimates, all in seconds, in their order.
+std::vector<double> seconds_left(const std::string& said) {
+  std::vector<double> list;
+  for (std::size_t at = 0; (at = said.find(" %  ", at)) != std::string::npos; ++at) {
+    if (std::isdigit(static_cast<unsigned char>(said[at + 4])) != 0)
+      list.push_back(std::atof(said.c_str() + at + 4));
+  }
+  return list;
+}
+
 bool has(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }
@@ -75,6 +87,18 @@ TEST_CASE("a line of progress that moves, or is finished, tells no stall", "[pro
   });
   CHECK(has(said, " left"));
   CHECK_FALSE(has(said, "nothing new"));
+}
+
+TEST_CASE("the time that is left falls while a large step of the work goes on", "[progress]") {
+  const std::string said = at_terminal([] {
+    carlo::Progress progress("grading", true);
+    std::this_thread::sleep_for(3s);
+    progress.update(0.125);
+    std::this_thread::sleep_for(1500ms);  // it is drawn again after one
+  });
+  const std::vector<double> left = seconds_left(said);
+  REQUIRE(left.size() >= 2);
+  CHECK(left.back() < left.front());
 }
 
 TEST_CASE("without a terminal there is a line now and then, and none after the end", "[progress]") {

@@ -42,7 +42,7 @@ LabResult full_result() {
   exercise.unsound = {"Lab 7.2"};
   exercise.missing = {"f"};
   exercise.begun = true;
-  exercise.by_itself = ByItself{Status::failed, 1.5, {"Lab 7.2"}};
+  exercise.by_itself = ByItself{Status::failed, 1.5, {"Lab 7.2"}, verdict.diagnoses, {"it holds"}};
   LabResult result;
   result.lab = 7;
   result.title = "Seventh";

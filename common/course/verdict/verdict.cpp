@@ -22,6 +22,10 @@ bool ExerciseResult::right_by_itself() const {
   return status != Status::passed && by_itself && by_itself->status == Status::passed;
 }
 
+const std::vector<Diagnosis>& ExerciseResult::causes() const {
+  return by_itself ? by_itself->diagnoses : diagnoses;
+}
+
 double LabResult::earned() const {
   return std::accumulate(
       exercises.begin(), exercises.end(), 0.0,

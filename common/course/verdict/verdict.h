@@ -63,11 +63,15 @@ struct TestRecord {
 };
 
 /// An exercise judged once more, with the suite's versions of those that it builds on and that are
-/// not right: a mistake there costs no points here.
+/// not right: a mistake there costs no points here. Holds only what the judge itself says, and no
+/// number: a student's program could write the suite's code, beside which it runs, into measured
+/// values.
 struct ByItself {
   Status status = Status::failed;
   double points = 0;
-  std::vector<std::string> replaced;  ///< tags of these exercises
+  std::vector<std::string> replaced;       ///< tags of these exercises
+  std::vector<Diagnosis> diagnoses = {};   ///< likeliest first
+  std::vector<std::string> failures = {};  ///< the sentences of tests that failed
 };
 
 /// One exercise: all its test cases, and their result.
@@ -90,6 +94,9 @@ struct ExerciseResult {
   bool passed(Aspect aspect) const;
   /// Whether it earns all its points by the second judgement alone.
   bool right_by_itself() const;
+  /// The likely causes of its own failure, likeliest first: those of the second judgement if there
+  /// was one, for the first one's may be another exercise's.
+  const std::vector<Diagnosis>& causes() const;
 };
 
 struct LabResult {

@@ -50,6 +50,8 @@ static void fields(JsonFields& json, ByItself& judgement) {
   json.named("status", judgement.status, to_string, status_named);
   json("points", judgement.points);
   json("replaced", judgement.replaced);
+  json("diagnoses", judgement.diagnoses);
+  json("failures", judgement.failures);
 }
 
 void fields(JsonFields& json, ExerciseResult& result) {
@@ -137,6 +139,7 @@ void ration(LabResult& result) {
   Ration left;
   for (ExerciseResult& exercise : result.exercises) {
     cut(exercise.diagnoses);
+    if (exercise.by_itself) cut(exercise.by_itself->diagnoses);
     for (TestRecord& test : exercise.tests)
       if (left.take(test)) result.cut = true;
   }

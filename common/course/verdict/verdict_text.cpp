@@ -170,9 +170,18 @@ std::string unsound_ground(const ExerciseResult& result) {
   return out;
 }
 
+/// Lists the tests that fail with the suite's version of what the exercise builds on. The values of
+/// the first judgement would show the other's mistakes, too.
+std::string failed_by_itself(const ByItself& judgement) {
+  std::string out;
+  for (const std::string& sentence : judgement.failures)
+    out += fmt::format("    {} {}\n", coloured(Colour::red, "✗"), sentence);
+  return out;
+}
+
 /// Says why right values do not earn all the points.
 std::string right_but(const ExerciseResult& result) {
-  if (!result.passed(Aspect::correctness)) return "";
+  if (result.by_itself || !result.passed(Aspect::correctness)) return "";
   // A test that crashed or was stopped has measured neither variance nor cost.
   const auto unmeasured = [](const TestRecord& test) {
     return test.status == Status::crashed || test.status == Status::timeout;
@@ -188,9 +197,9 @@ std::string right_but(const ExerciseResult& result) {
 /// Describes likely causes, first of all: they say most in the fewest lines.
 std::string likely_causes(const ExerciseResult& result) {
   std::string out;
-  for (std::size_t i = 0; i < std::min(result.diagnoses.size(), shown_diagnoses); ++i) {
-    out += fmt::format("    {} {}\n", coloured(Colour::bold, "Likely cause:"),
-                       result.diagnoses[i].sentence);
+  const std::vector<Diagnosis>& causes = result.causes();
+  for (std::size_t i = 0; i < std::min(causes.size(), shown_diagnoses); ++i) {
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "Likely cause:"), causes[i].sentence);
   }
   return out;
 }
@@ -218,7 +227,7 @@ std::string begun_text(const ExerciseResult& result, bool tests, Help help) {
 /// Says what keeps an exercise from all its points; `tests`: with the failed tests.
 std::string details(const ExerciseResult& result, bool tests, Help help) {
   std::string out = right_but(result) + unsound_ground(result) + likely_causes(result);
-  if (tests) out += failed_tests(result);
+  if (tests) out += result.by_itself ? failed_by_itself(*result.by_itself) : failed_tests(result);
   return out + fmt::format("    For help: {}\n", hint_by(help, result.number()));
 }
 
@@ -234,7 +243,7 @@ std::string exercise_text(const ExerciseResult& result, std::size_t titles, bool
         open ? begun_text(result, !verbose, Help::typed) : details(result, !verbose, Help::typed);
   }
   if (verbose) out += whole_tests(result);
-  if (result.status == Status::passed) return out;
+  if (result.status == Status::passed || result.by_itself) return out;
   return out + fmt::format("    The raw values: ./carlo replay {}\n", result.number());
 }
 

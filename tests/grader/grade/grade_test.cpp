@@ -3,12 +3,14 @@
 #include "grader/grade/recipe.h"
 #include "grader/grade/record.h"
 #include "grader/grade/sha256.h"
+#include "grader/page/grade_page.h"
 #include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -178,34 +180,108 @@ TEST_CASE("The class's page counts who is right, and what builds on what is not 
   itself.exercises[1].unsound = {"Lab 1.1"};
   itself.exercises[1].by_itself = ByItself{Status::passed, 3, {"Lab 1.1"}};
   const Record alone = record("alone", judged(demo_lab(), itself));
-  CHECK(has(class_page({alone}, true).html(), "<td class=\"itself\" title=\"1.2: all points: "));
-  CHECK(has(class_csv({alone}), ",0,3,3,3,5,1.2 right by itself,"));
-  CHECK(has(text_of(alone.labs[0], alone.labs[0].result.exercises[1]),
-            "1.2 is right by itself; Lab 1.1, which it calls, is not\n"));
+  CHECK(has(class_page({alone}, {}).html(), "<td class=\"itself\" title=\"1.2: all points"));
   const Record broken = record("broken", unjudged(demo_lab(), Status::does_not_compile, ""));
-  const std::string page = class_page({right, wrong, broken}, true).html();
-  CHECK(page == class_page({broken, wrong, right}, true).html());
-  CHECK(has(page, "3 submissions, 3 of them graded; at most 5 points"));
+  const std::string page = class_page({right, wrong, broken}, {}).html();
+  CHECK(page == class_page({broken, wrong, right}, {}).html());
+  CHECK(has(page, "The class in lab 1"));
+  CHECK(has(page, "3 submissions, 3 of them graded; at most 5 points; 1 does not compile"));
   CHECK(has(page, "33 %"));
   CHECK(has(page, "one &lt; too many"));
   CHECK_FALSE(has(page, "unlikely"));
   CHECK(has(page, "wrong&lt;b&gt;"));
   CHECK_FALSE(has(page, "<b>"));
   CHECK(has(page, "<td class=\"wrong\" title=\"1.1: no points\">0</td><td class=\"follows\""));
-  CHECK(has(page, "<td class=\"undone\""));
+  CHECK(has(page, "<td class=\"uncompiled\" colspan=\"2\">does not compile</td>"));
+  CHECK(has(page, "<td>lab 1</td><td>the code does not compile.</td>"));
   // Best first.
   CHECK(page.find(">zoe</th>") < page.find(">broken</th>"));
+}
 
-  const std::string nameless = class_page({right, wrong, broken}, false).html();
-  CHECK_FALSE(has(nameless, ">zoe</th>"));
-  CHECK(has(nameless, ">student 3</th>"));
+TEST_CASE("Whoever is right by itself is so in every output", "[grade]") {
+  LabResult result = verdict(0, 3);
+  ExerciseResult& second = result.exercises[1];
+  second.status = Status::failed;
+  second.tests[0].status = Status::failed;
+  second.diagnoses = {{"of-the-first", "the first one's cause"}};
+  second.unsound = {"Lab 1.1"};
+  second.by_itself = ByItself{Status::passed, 3, {"Lab 1.1"}};
+  const LabGrade lab = judged(demo_lab(), result);
+  const Record alone = record("alone", lab);
+  CHECK(has(class_csv({alone}), ",0,3,3,3,5,1.2 right by itself,"));
+  const std::string sentence = "1.2 is right by itself; Lab 1.1, which it calls, is not\n";
+  CHECK(has(text_of(lab, lab.result.exercises[1]), sentence));
+  const json test = json::parse(gradescope_json(alone))["tests"][1];
+  CHECK(test["status"] == "passed");
+  CHECK(test["score"] == 3);
+  CHECK(test["extra_data"]["status"] == "right_by_itself");
+  CHECK(has(test["output"], sentence));
+  CHECK(has(junit_xml(alone), "failures=\"1\""));
+  const std::string page = grade_page({{lab.result}}, {"alone"});
+  CHECK(has(page, "<span class=\"words\"> right by itself</span>"));
+  CHECK(has(page, "3 of 3 points"));
+  for (const std::string& text :
+       {page, class_page({alone}, {}).html(), test["output"].get<std::string>()}) {
+    CHECK_FALSE(has(text, "the first one"));
+    CHECK_FALSE(has(text, "./carlo hint 1.2"));
+  }
+}
+
+TEST_CASE("What is wrong by itself has its own causes, not those of what it calls", "[grade]") {
+  LabResult result = verdict(0, 0);
+  ExerciseResult& second = result.exercises[1];
+  second.diagnoses = {{"of-the-first", "the first one's cause"}};
+  second.unsound = {"Lab 1.1"};
+  second.by_itself =
+      ByItself{Status::failed, 0, {"Lab 1.1"}, {{"its-own", "its own cause"}}, {"it holds alone"}};
+  const LabGrade lab = judged(demo_lab(), result);
+  const std::string page = grade_page({{lab.result}}, {"both"});
+  for (const std::string& text : {page, class_page({record("both", lab)}, {}).html(),
+                                  text_of(lab, lab.result.exercises[1])}) {
+    CHECK(has(text, "its own cause"));
+    CHECK_FALSE(has(text, "the first one"));
+  }
+  CHECK(page.find("it holds alone") < page.find("What was measured with your own Lab 1.1"));
+}
+
+TEST_CASE("The class's page counts crashes and time limits by exercise", "[grade]") {
+  LabResult crash = verdict(0, 0);
+  crash.exercises[0].status = crash.exercises[0].tests[0].status = Status::crashed;
+  crash.exercises[0].tests[0].problem = "it crashed: segmentation fault, in labs/a.cpp:3 (n = 1)";
+  crash.exercises[1].status = Status::timeout;
+  crash.exercises[1].diagnoses = {{"named", "it is named."}};
+  const std::string page =
+      class_page({record("a", judged(demo_lab(), crash)), record("b", judged(demo_lab(), crash))},
+                 {})
+          .html();
+  const std::string row = "<tr><td class=\"number\">2</td><td>1.";
+  CHECK(has(page, row + "1</td><td>the program crashes: segmentation fault.</td>"));
+  CHECK(has(page, row + "2</td><td>it is named.</td>"));
+  CHECK(has(page, row + "2</td><td>the program is not done in time"));
+}
+
+TEST_CASE("Numbers in place of names tell no ranks, and stay as they are", "[grade]") {
+  std::vector<Record> class_of_ten;
+  for (int i = 0; i < 10; ++i)
+    class_of_ten.push_back(record(std::string("name") + static_cast<char>('0' + i),
+                                  judged(demo_lab(), verdict(i < 5 ? 2 : 0, 0))));
+  const ClassWords words{false, "a secret"};
+  const std::string page = class_page(class_of_ten, words).html();
+  CHECK_FALSE(has(page, "name3"));
+  CHECK(has(page, ">student 10</th>"));
+  const auto shown = shown_names(class_of_ten, words);
+  const auto others = shown_names(class_of_ten, {false, "another secret"});
+  CHECK(shown != others);
+  std::reverse(class_of_ten.begin(), class_of_ten.end());
+  CHECK(shown_names(class_of_ten, words) == shown);
+  CHECK(class_page(class_of_ten, words).html() == page);
 }
 
 TEST_CASE("The class's page shows that marks are missing", "[grade]") {
   const Record failed = record("a", unjudged(demo_lab(), Status::grader_error, "no space"));
   const std::string page =
-      class_page({failed, record("b", judged(demo_lab(), verdict(2, 3)))}, true).html();
+      class_page({failed, record("b", judged(demo_lab(), verdict(2, 3)))}, {}).html();
   CHECK(has(page, "2 submissions, 1 of them graded"));
-  CHECK(has(page, "<td class=\"unjudged\""));
+  CHECK(has(page, "<td class=\"unjudged\" colspan=\"2\">not graded: an error of the grader</td>"));
   CHECK(has(page, "100 %"));
 }

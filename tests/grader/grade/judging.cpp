@@ -109,7 +109,8 @@ bool is_undone(const ExerciseResult& result) {
 
 /// Judges what is not right once more where it builds on others that are not right either, with the
 /// suite's versions of these. Of this second judgement, in which a student's code runs beside the
-/// suite's, only the points are kept: nothing that it printed.
+/// suite's, only points, causes and the names of failed tests are kept: nothing that it measured or
+/// printed.
 void judge_follow_ons(const Desk& desk, const CourseLab& lab,
                       const std::map<std::string, std::string>& files, LabGrade& grade) {
   const LabTools& tools = desk.course.clean.tools(lab.lab.number);
@@ -138,6 +139,9 @@ void judge_follow_ons(const Desk& desk, const CourseLab& lab,
     check_result(exercise, again);
     second.status = again.status;
     second.points = again.points;
+    second.diagnoses = again.diagnoses;
+    for (const TestRecord& test : again.tests)
+      if (test.status != Status::passed && !test.skipped) second.failures.push_back(test.sentence);
     result.points = std::max(result.points, second.points);
     result.by_itself = second;
     grade.judge_seconds += judgement.outcome.seconds;

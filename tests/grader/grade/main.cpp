@@ -115,15 +115,35 @@ std::vector<Record> grade_here(const Course& course, const std::vector<Source>& 
   return grade_class(course, sources, options.out, workers, tell);
 }
 
+/// Returns a path as it is typed.
+std::string for_a_shell(const std::string& path) {
+  constexpr const char* plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+-";
+  return path.find_first_not_of(plain) == std::string::npos ? path : "'" + path + "'";
+}
+
+/// Returns the command that the class's page was made by, as far as marks depend on it: the page is
+/// the same wherever and however often it was made. Paths may hold names.
+std::string command_of(const Options& options) {
+  std::string command = "./carlo grade";
+  if (options.no_names) command += " SUBMISSIONS";
+  for (const std::string& path : options.paths)
+    command += options.no_names ? "" : " " + for_a_shell(path);
+  for (std::size_t i = 0; i < options.labs.size(); ++i)
+    command += fmt::format("{}{}", i == 0 ? " --labs " : ",", options.labs[i]);
+  return command + (options.no_names ? " --no-names" : "");
+}
+
 /// Writes what is about the whole class. Marks are kept if comparing fails.
 int finish(const Course& course, const std::vector<Record>& records, const Submissions& submissions,
            const Options& options) {
-  write_class(course.labs, records, options.out, !options.no_names);
+  const ClassWords words{!options.no_names, course.secret, command_of(options)};
+  write_class(course.labs, records, options.out, words);
   int code = 0;
   if (options.similarity) {
     try {
-      compare_class(course, submissions.sources, shown_names(records, !options.no_names),
-                    !options.no_names, options.out, std::max(options.workers, 1));
+      compare_class(course, submissions.sources, shown_names(records, words), words.names,
+                    options.out, std::max(options.workers, 1));
     } catch (const std::exception& error) {
       fmt::print(stderr, "carlo: error: {}; all marks are kept\n", error.what());
       code = 1;

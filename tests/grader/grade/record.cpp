@@ -19,17 +19,17 @@ bool possible_points(double points, int max) {
          quarters == static_cast<double>(static_cast<int>(quarters));
 }
 
+/// The longest text for a student: a program can make messages about it long.
+constexpr std::size_t most_text = 20'000;
+
+}  // namespace
+
 std::string in_words(Status unjudged) {
   if (unjudged == Status::grader_error) return "not graded: an error of the grader";
   std::string words = to_string(unjudged);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }
-
-/// The longest text for a student: a program can make messages about it long.
-constexpr std::size_t most_text = 20'000;
-
-}  // namespace
 
 std::string state_of(const LabGrade& lab) {
   return lab.unjudged ? to_string(*lab.unjudged) : "judged";

@@ -24,6 +24,9 @@ struct LabGrade {
   int max() const { return result.possible(); }
 };
 
+/// Says why a lab was not judged: "does not compile".
+std::string in_words(Status unjudged);
+
 /// Returns "judged", or the name of the reason why not.
 std::string state_of(const LabGrade& lab);
 

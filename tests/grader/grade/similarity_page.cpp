@@ -1,5 +1,6 @@
 #include "course/verdict/printed.h"
 #include "grader/grade/similarity.h"
+#include "grader/judge/numbers.h"
 
 #include <fmt/core.h>
 
@@ -22,6 +23,10 @@ constexpr const char* method =
     "structure: names, numbers, comments, layout and the order of functions do not matter. What the "
     "stub or the suite's solution has is not counted. Overlap and the longest fragment are counted in "
     "fingerprints; a line of code has about two.";
+constexpr const char* scale =
+    "What is much? In lab 1, right solutions that were written independently of each other share about "
+    "4 %; copies with other names, layout, order and comments share 73 to 100 %. In between, and in "
+    "labs whose exercises leave less choice, only the code itself can tell.";
 
 constexpr const char* similarity_style = R"(
 .note { margin-top: 1.6rem; }
@@ -91,8 +96,11 @@ Table pairs_table(const LabSimilarity& lab, const Shown& shown, const std::optio
 }
 
 void add_usual(Page& page, const LabSimilarity& lab, const std::optional<Usual>& usual) {
-  page.prose(fmt::format("{} submissions were compared, {} were not; that gives {} pairs.",
-                         lab.compared.size(), lab.left_out.size(), lab.pairs.size()));
+  const std::size_t compared = lab.compared.size(), left_out = lab.left_out.size();
+  page.prose(fmt::format("{} {} compared, {} {} not; that makes {}.",
+                         counted(static_cast<double>(compared), "submission"),
+                         compared == 1 ? "was" : "were", left_out, left_out == 1 ? "was" : "were",
+                         counted(static_cast<double>(lab.pairs.size()), "pair")));
   if (!usual) {
     page.prose(
         fmt::format("From fewer than {} pairs nobody can tell what is usual in this class: no "
@@ -163,6 +171,7 @@ Page similarity_page(const std::vector<LabSimilarity>& labs, const Shown& shown,
   page.style(similarity_style);
   page.note(warning);
   page.prose(method);
+  page.prose(scale);
   for (const LabSimilarity& lab : labs)
     add_lab(page, lab, shown, code);
   page.fact("command", "./carlo grade --similarity");

@@ -1,8 +1,8 @@
 #include "grader/grade/summary.h"
 
 #include "course/verdict/printed.h"
-#include "grader/grade/class_page.h"
 #include "grader/grade/outputs.h"
+#include "grader/judge/numbers.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 #include "support/progress.h"
@@ -77,13 +77,15 @@ std::string line_of(const Finished& finished) {
 }
 
 void write_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
-                 const fs::path& out, bool names) {
+                 const fs::path& out, const ClassWords& words) {
   write_file(out / "class.csv", class_csv(records));
   write_file(out / "timing.csv", timing_csv(records));
   const bool page = records.size() > 1;
-  if (page) class_page(records, names).write(out / "class.html");
-  fmt::print("{} submissions, {} without all marks; compiling and judging took\n", records.size(),
-             unfinished(records));
+  if (page) class_page(records, words).write(out / "class.html");
+  const auto missing = unfinished(records);
+  fmt::print("{} {}; compiling and judging took\n",
+             counted(static_cast<double>(records.size()), "submission"),
+             missing == 0 ? "graded" : fmt::format("taken in, {} of them without marks", missing));
   for (const CourseLab& lab : labs)
     fmt::print("{}", costs(records, lab));
   fmt::print("marks: {}\n", (out / "class.csv").string());

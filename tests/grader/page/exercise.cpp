@@ -5,7 +5,7 @@
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -63,11 +63,18 @@ Look look_of(Status status) {
 
 /// Returns whether the values are right and only their variance or cost is not.
 bool right_but(const ExerciseResult& exercise) {
+  if (exercise.by_itself) return exercise.points > 0;
   return exercise.status != Status::passed && exercise.passed(Aspect::correctness);
 }
 
+Look look_of(const ExerciseResult& exercise) {
+  if (exercise.right_by_itself()) return {"passed", "✓", "right by itself"};
+  if (right_but(exercise)) return {"failed", "◐", "in part"};
+  return look_of(exercise.by_itself ? exercise.by_itself->status : exercise.status);
+}
+
 std::string chip(const ExerciseResult& exercise) {
-  const Look look = right_but(exercise) ? Look{"failed", "◐", "in part"} : look_of(exercise.status);
+  const Look look = look_of(exercise);
   return fmt::format("<span class=\"chip {}\">{}<span class=\"words\"> {}</span></span>",
                      look.style, look.sign, look.words);
 }
@@ -78,8 +85,9 @@ std::string points(const ExerciseResult& exercise) {
 }
 
 /// Returns correctness, variance, efficiency: those that this exercise is judged by, if more than
-/// one.
+/// one, and if it was judged without others' mistakes.
 std::string aspects(const ExerciseResult& exercise) {
+  if (exercise.by_itself) return "";
   if (!exercise.has(Aspect::variance) && !exercise.has(Aspect::efficiency)) return "";
   if (exercise.status == Status::not_implemented) return "";
   std::string out;
@@ -225,8 +233,9 @@ std::string skipped_tests(const ExerciseResult& exercise) {
 
 std::string diagnosis(const ExerciseResult& exercise) {
   std::string out;
-  for (std::size_t i = 0; i < std::min(exercise.diagnoses.size(), shown_diagnoses); ++i)
-    out += fmt::format("<p>{}</p>\n", html(exercise.diagnoses[i].sentence));
+  const std::vector<Diagnosis>& causes = exercise.causes();
+  for (std::size_t i = 0; i < std::min(causes.size(), shown_diagnoses); ++i)
+    out += fmt::format("<p>{}</p>\n", html(causes[i].sentence));
   if (out.empty()) return "";
   return "<div class=\"diagnosis\"><p><strong>Likely cause:</strong></p>\n" + out + "</div>\n";
 }
@@ -240,6 +249,32 @@ std::string unsound_ground(const ExerciseResult& exercise) {
         html(tag));
   }
   return out;
+}
+
+/// Returns the tests, failed ones in full.
+std::string all_tests(const ExerciseResult& exercise) {
+  std::string out;
+  for (const TestRecord* test : failed_tests(exercise))
+    out += failed_test(*test, exercise.number());
+  out += skipped_tests(exercise);
+  const std::string passed = passed_tests(exercise);
+  if (passed.empty()) return out;
+  return out + "<details class=\"passed-tests\"><summary>The tests that passed</summary>\n" +
+         passed + "</details>\n";
+}
+
+/// Returns which tests fail in the second judgement. What was measured in the first one shows the
+/// mistakes of other exercises, too, and is folded.
+std::string by_itself_tests(const ExerciseResult& exercise) {
+  if (exercise.right_by_itself()) return "";
+  std::string out;
+  for (const std::string& sentence : exercise.by_itself->failures)
+    out += fmt::format("<div class=\"test\">\n<h4>✗ {}</h4>\n</div>\n", html(sentence));
+  return out + fmt::format(
+                   "<details class=\"passed-tests\"><summary>What was measured with your own {}, "
+                   "whose mistakes show here, too</summary>\n{}</details>\n",
+                   html(fmt::format("{}", fmt::join(exercise.by_itself->replaced, ", "))),
+                   all_tests(exercise));
 }
 
 /// Returns whether there is more to say than in the overview; an unfinished exercise has more if
@@ -286,18 +321,12 @@ std::string exercise_html(const ExerciseResult& exercise, int lab) {
         "<details class=\"exercise passed\" id=\"{}\"><summary>{}</summary>\n{}</details>\n", id,
         heading(exercise), passed_tests(exercise));
   }
-  std::string out = fmt::format("<article class=\"exercise\" id=\"{}\">\n<header>{}</header>\n", id,
-                                heading(exercise));
+  const bool right = exercise.right_by_itself();
+  std::string out = fmt::format("<article class=\"exercise{}\" id=\"{}\">\n<header>{}</header>\n",
+                                right ? " passed" : "", id, heading(exercise));
   out += diagnosis(exercise) + unsound_ground(exercise);
-  out += fmt::format("<p class=\"help\">For help: {}</p>\n", hint(exercise.number()));
-  for (const TestRecord* test : failed_tests(exercise))
-    out += failed_test(*test, exercise.number());
-  out += skipped_tests(exercise);
-  const std::string passed = passed_tests(exercise);
-  if (!passed.empty()) {
-    out += "<details class=\"passed-tests\"><summary>The tests that passed</summary>\n" + passed +
-           "</details>\n";
-  }
+  if (!right) out += fmt::format("<p class=\"help\">For help: {}</p>\n", hint(exercise.number()));
+  out += exercise.by_itself ? by_itself_tests(exercise) : all_tests(exercise);
   return out + "</article>\n";
 }
 

@@ -68,6 +68,8 @@ const sumOf = (fingerprints, file, power) =>
   [...fingerprints].reduce((sum, one) => sum + one.occurrencesOf(file).length ** power, 0);
 const percent = (share) => `${Math.round(100 * share)} %`;
 
+const by_name = (a, b) => (a < b ? -1 : a > b ? 1 : 0);
+
 /// Returns a text's beginning without the signs that would turn its direction; never half a character.
 const shown = (text) => Array.from(text.slice(0, 400)).slice(0, 160).join("").replace(/[\u202a-\u202e\u2066-\u2069]/g, "?");
 
@@ -75,7 +77,10 @@ const shown = (text) => Array.from(text.slice(0, 400)).slice(0, 160).join("").re
 function fragmentsOf(pair) {
   const lines = ({ rows }, { startRow, endRow }) => rows.slice(startRow, endRow + 1);
   const seen = [new Set(), new Set()];
-  const all = pair.buildFragments().sort((a, b) => b.pairs.length - a.pairs.length).map((fragment) =>
+  // Equally large ones in the order of the files.
+  const order = (a, b) => b.pairs.length - a.pairs.length || a.leftSelection.startRow - b.leftSelection.startRow ||
+    a.rightSelection.startRow - b.rightSelection.startRow;
+  const all = pair.buildFragments().sort(order).map((fragment) =>
     [lines(pair.leftFile, fragment.leftSelection), lines(pair.rightFile, fragment.rightSelection)]);
   const list = all.filter((sides) => {
     const fresh = sides.map((side, i) => side.filter((line) => !seen[i].has(line)));
@@ -103,23 +108,31 @@ function compare(lab, submissions) {
     }
   }
   index.addFiles(files);
-  // Afterwards, because Dolos marks only what is in the index already.
-  lab.given.forEach((texts, i) => index.addIgnoredFile(tokenized(`given ${i}`, texts)));
+  // Afterwards, because Dolos marks only what is in the index already. The stub first, so that what is marked
+  // then is its code, and what is added later is in the solution alone.
+  const entries_of_all = index.entries(), stubs = new Map();
+  lab.given.forEach((texts, i) => {
+    index.addIgnoredFile(tokenized(`given ${i}`, texts));
+    if (i === 0) entries_of_all.forEach((entry) => stubs.set(entry.file, sumOf(entry.ignored, entry.file, 1)));
+  });
   const own = new Map();
   for (const entry of index.entries()) {
     const all = entry.kgrams.length, given = sumOf(entry.ignored, entry.file, 1), name = entry.file.path;
     if (sumOf(entry.shared, entry.file, 2) > limits.repeats) left_out.push({ name, why: "repeats itself too often" });
     else if (all - given >= limits.own) own.set(entry.file, all - given);
     else left_out.push({ name, why: all === 0 ? "holds too little code" :
-      `has too little of its own: ${percent(given / all)} is the stub's or the solution's code` });
+      `has too little of its own: ${percent(stubs.get(entry.file) / all)} is the stub's code, ` +
+      `${percent((given - stubs.get(entry.file)) / all)} the solution's` });
   }
+  left_out.sort((a, b) => by_name(a.name, b.name));
   const pairs = [], entries = [...own.keys()];
   entries.forEach((first, i) => entries.slice(i + 1).forEach((second) => {
     const pair = index.getPair(first, second);
     pairs.push({ first: first.path, second: second.path, overlap: pair.overlap, longest: pair.longest,
       similarity: pair.overlap / (own.get(first) + own.get(second)), files: [first, second] });
   }));
-  pairs.sort((a, b) => b.similarity - a.similarity || b.longest - a.longest || b.overlap - a.overlap);
+  pairs.sort((a, b) => b.similarity - a.similarity || b.longest - a.longest || b.overlap - a.overlap ||
+    by_name(a.first, b.first) || by_name(a.second, b.second));
   return { folder: lab.folder, compared: entries.map((file) => file.path), left_out,
     pairs: pairs.map(({ files: two, ...row }, i) =>
       i < most_pairs ? { ...row, fragments: fragmentsOf(index.getPair(...two)) } : row) };
