@@ -45,7 +45,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_step_at_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
-  std::mutex mutex_;          ///< guards everything above
+  std::mutex mutex_;  ///< guards everything above
   std::condition_variable woken_;
   std::thread watcher_;
 };
