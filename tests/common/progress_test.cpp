@@ -52,7 +52,7 @@ std::vector<double> seconds_left(const std::string& said) {
   std::vector<double> list;
   for (std::size_t at = 0; (at = said.find(" %  ", at)) != std::string::npos; ++at) {
     if (std::isdigit(static_cast<unsigned char>(said[at + 4])) != 0)
-      list.push_back(std::atof(said.c_str() + at + 4));
+      list.push_back(std::strtod(said.c_str() + at + 4, nullptr));
   }
   return list;
 }
