@@ -1,12 +1,17 @@
 #include "course/slurm/array_job.h"
 #include "course/slurm/folder_lock.h"
 #include "support/atomic_file.h"
+#include "support/quotes.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 namespace carlo::slurm {
@@ -23,6 +28,19 @@ TEST_CASE("a job's script: a shell takes each word as it is") {
   CHECK(script ==
         "#!/bin/sh\n#SBATCH --ntasks=1 --cpus-per-task=2\n#SBATCH --mem-per-cpu=2500M\n"
         "exec '/bin/it'\\''s' 'a b' '$HOME'\n");
+}
+
+TEST_CASE("a word as it is typed is what a shell reads") {
+  const TemporaryFolder folder;
+  for (const char* word : {"", "plain", "--labs=1,2", "a b", "it's", "'", "$HOME", "~", "a\nb", "*",
+                           "#", "\\", "\"", "!x", "caf\xc3\xa9", "-n"}) {
+    const std::filesystem::path read = folder.path() / "read";
+    const std::string command = "printf %s " + shell_word(word) + " > " + shell_word(read.string());
+    REQUIRE(std::system(command.c_str()) == 0);  // NOLINT(cert-env33-c): a shell is what is tested
+    std::ifstream file(read);
+    CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == word);
+  }
+  CHECK(shell_word("--labs=1,2") == "--labs=1,2");
 }
 
 TEST_CASE("jobs of a name: tasks by their state, arrays once") {

@@ -4,6 +4,7 @@
 #include "course/report/machine.h"
 #include "course/report/viewer.h"
 #include "image/flip.h"
+#include "support/quotes.h"
 
 #include <fmt/core.h>
 
@@ -11,19 +12,6 @@
 
 namespace carlo {
 namespace {
-
-/// Quotes a word for a shell.
-std::string quoted(std::string_view word) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
-    return std::string(word);
-  }
-  std::string result = "'";
-  for (const char c : word)
-    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
 
 /// The most important numbers of each kind: never a time without its error.
 std::string summary(const RenderReport& r) {
@@ -94,7 +82,7 @@ std::string command_text(int argc, char** argv) {
       ++i;  // from the script ./carlo, not typed by the reader
       continue;
     }
-    command += ' ' + quoted(argv[i]);
+    command += ' ' + shell_word(argv[i]);
   }
   return command;
 }

@@ -12,6 +12,7 @@
 #include "course/report/stop_note.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
+#include "support/quotes.h"
 #include "support/terminal.h"
 #include "support/wall_clock.h"
 
@@ -148,7 +149,7 @@ std::string command_line(int number, int argc, char** argv) {
     command += " --solutions";
   }
   for (int i = 1; i < argc; ++i)
-    command += fmt::format(" {}", argv[i]);
+    command += ' ' + shell_word(argv[i]);
   return command;
 }
 

@@ -3,6 +3,7 @@
 #include "course/cli/program.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
+#include "support/quotes.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -17,14 +18,6 @@ namespace carlo::slurm {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Quotes a word for a shell.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word)
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 /// Escapes a path so that Slurm replaces nothing in it.
 std::string literal(const fs::path& path) {
@@ -71,7 +64,7 @@ std::string script_of(const ArrayJob& job) {
   if (job.megabytes > 0) text += fmt::format("#SBATCH --mem-per-cpu={}M\n", job.megabytes);
   text += "exec";
   for (const std::string& word : job.command)
-    text += " " + quoted(word);
+    text += " " + shell_word(word);
   return text + "\n";
 }
 

@@ -13,6 +13,7 @@
 #include "grader/grade/summary.h"
 #include "support/error.h"
 #include "support/progress.h"
+#include "support/quotes.h"
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -115,20 +116,13 @@ std::vector<Record> grade_here(const Course& course, const std::vector<Source>& 
   return grade_class(course, sources, options.out, workers, tell);
 }
 
-/// Returns a path as it is typed.
-std::string for_a_shell(const std::string& path) {
-  constexpr const char* plain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+-";
-  return path.find_first_not_of(plain) == std::string::npos ? path : "'" + path + "'";
-}
-
 /// Returns the command that the class's page was made by, as far as marks depend on it: the page is
 /// the same wherever and however often it was made. Paths may hold names.
 std::string command_of(const Options& options) {
   std::string command = "./carlo grade";
   if (options.no_names) command += " SUBMISSIONS";
   for (const std::string& path : options.paths)
-    command += options.no_names ? "" : " " + for_a_shell(path);
+    command += options.no_names ? "" : " " + shell_word(path);
   for (std::size_t i = 0; i < options.labs.size(); ++i)
     command += fmt::format("{}{}", i == 0 ? " --labs " : ",", options.labs[i]);
   return command + (options.no_names ? " --no-names" : "");
