@@ -40,8 +40,8 @@ const Diagnosis others_spread_missing{
     "merging leaves out how much the other part's numbers scatter about their own mean: its m2 has "
     "to be added, too."};
 const Diagnosis by_one_count{"merged-mean-by-one-count",
-                             "the merged mean is divided by the count of one part alone; behind it "
-                             "stand the numbers of both."};
+                             "the merged mean is divided by the count of one part alone; it is the "
+                             "mean of the numbers of both."};
 const Diagnosis from_moved_mean{"merge-from-the-moved-mean",
                                 "the distance between the two means is taken after the mean has "
                                 "moved; merging needs the distance before."};

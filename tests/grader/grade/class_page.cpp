@@ -33,7 +33,8 @@ Look look_of(Standing standing) {
     case Standing::right:
       return {"right", "all points"};
     case Standing::by_itself:
-      return {"itself", "all points, though an exercise that it calls is not right"};
+      return {"itself",
+              "right by itself: all points, though an exercise that it calls is not right"};
     case Standing::partly:
       return {"partly", "some points"};
     case Standing::wrong:
@@ -302,7 +303,7 @@ Page class_page(std::vector<Record> records, const ClassWords& words) {
     page.section("Mistakes");
     page.prose(
         "For each student and exercise that is not right, the likeliest mistake, if the judge can "
-        "name one; and who crashed, took too long or does not compile.");
+        "name one; and how many crashed, took too long or do not compile. The reports say whose.");
     page.table(mistakes);
   }
   page.section("Students");

@@ -180,7 +180,8 @@ TEST_CASE("The class's page counts who is right, and what builds on what is not 
   itself.exercises[1].unsound = {"Lab 1.1"};
   itself.exercises[1].by_itself = ByItself{Status::passed, 3, {"Lab 1.1"}};
   const Record alone = record("alone", judged(demo_lab(), itself));
-  CHECK(has(class_page({alone}, {}).html(), "<td class=\"itself\" title=\"1.2: all points"));
+  CHECK(has(class_page({alone}, {}).html(),
+            "<td class=\"itself\" title=\"1.2: right by itself: all points"));
   const Record broken = record("broken", unjudged(demo_lab(), Status::does_not_compile, ""));
   const std::string page = class_page({right, wrong, broken}, {}).html();
   CHECK(page == class_page({broken, wrong, right}, {}).html());
