@@ -11,6 +11,22 @@
 
 namespace carlo {
 
+void RemainingTime::update(double fraction, double now) {
+  const double before = std::exchange(fraction_, std::clamp(fraction, 0.0, 1.0));
+  if (fraction_ <= before) return;
+  last_step_ = fraction_ - before;
+  last_step_at_ = now;
+}
+
+std::optional<double> RemainingTime::estimate(double now) const {
+  if (!(fraction_ > 0.01)) return std::nullopt;
+  // Work in a few large steps is not slower while one of them goes on: the estimate of the last
+  // report runs down, until even a step that ends now would be late. The last one is half done.
+  const double left = last_step_at_ / fraction_ - now;
+  const double next = std::max(fraction_, std::min(fraction_ + last_step_, 1 - last_step_ / 2));
+  return std::max(left, now * (1 - next) / next);
+}
+
 Progress::Progress(std::string label, bool enabled, std::chrono::milliseconds line_every)
     : label_(std::move(label)), enabled_(enabled), bar_(stderr_is_interactive()) {
   if (!enabled_) return;
@@ -25,11 +41,11 @@ Progress::~Progress() {
 void Progress::draw(const std::string& more, int width) {
   last_draw_ = Clock::now();
   drawn_ = true;
-  const int filled = static_cast<int>(std::lround(fraction_ * width));
+  const int filled = static_cast<int>(std::lround(time_.fraction() * width));
   // Not fmt::print(), which throws if the terminal is gone: nobody would catch that in the watcher
   // thread.
   std::fputs(fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
-                         width - filled, 100 * fraction_, more)
+                         width - filled, 100 * time_.fraction(), more)
                  .c_str(),
              stderr);
   std::fflush(stderr);
@@ -47,26 +63,18 @@ void Progress::update(double fraction) {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   last_report_ = now;
-  const double before = std::exchange(fraction_, std::clamp(fraction, 0.0, 1.0));
-  if (fraction_ > before) {
-    last_step_ = fraction_ - before;
-    last_step_at_ = now;
-  }
+  time_.update(fraction, seconds());
   if (!bar_ || (drawn_ && now - last_draw_ < std::chrono::milliseconds(100))) return;
   draw(remaining());
 }
 
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
 std::string Progress::remaining() const {
-  if (!(fraction_ > 0.01)) return "estimating";
-  const auto seconds = [](Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-  };
-  const auto now = Clock::now();
-  // Work in a few large steps is not slower while one of them goes on: the estimate of the last
-  // report runs down, until even a step that ends now would be late. The last one is half done.
-  const double estimate = seconds(last_step_at_ - start_) / fraction_ - seconds(now - start_);
-  const double next = std::max(fraction_, std::min(fraction_ + last_step_, 1 - last_step_ / 2));
-  return format_seconds(std::max(estimate, seconds(now - start_) * (1 - next) / next)) + " left";
+  const std::optional<double> left = time_.estimate(seconds());
+  return left ? format_seconds(*left) + " left" : "estimating";
 }
 
 void Progress::clear() {
@@ -93,8 +101,9 @@ void Progress::finish() {
 void Progress::print_lines(std::chrono::milliseconds every) {
   std::unique_lock lock(mutex_);
   while (!woken_.wait_for(lock, every, [this] { return finished_; })) {
-    std::fputs(fmt::format("{}: {:.0f} %, {}\n", label_, 100 * fraction_, remaining()).c_str(),
-               stderr);
+    std::fputs(
+        fmt::format("{}: {:.0f} %, {}\n", label_, 100 * time_.fraction(), remaining()).c_str(),
+        stderr);
     std::fflush(stderr);
   }
 }

@@ -3,10 +3,26 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace carlo {
+
+/// The time that work still takes, by the steps it has reported. Times are in seconds from its
+/// start; `now` never falls.
+class RemainingTime {
+ public:
+  /// Reports the `fraction` of the work done, in [0, 1].
+  void update(double fraction, double now);
+  /// Returns the estimate, in seconds, or nothing while too little is done.
+  std::optional<double> estimate(double now) const;
+  double fraction() const { return fraction_; }
+
+ private:
+  double fraction_ = 0, last_step_ = 0;  ///< done, and by how much the last report raised it
+  double last_step_at_ = 0;
+};
 
 /// Progress with the remaining time, on stderr. On a terminal it is a bar, redrawn in place at most
 /// ten times a second and at least once, elsewhere a line every ten seconds; both go on while
@@ -34,6 +50,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void draw(const std::string& more, int width = 30);
   void erase();
+  double seconds() const;  ///< since the start
   std::string remaining() const;
   void keep_drawing();
   void print_lines(std::chrono::milliseconds every);
@@ -41,9 +58,8 @@ class Progress {
   std::string label_;
   bool enabled_, bar_;  ///< a bar, or lines
   bool drawn_ = false, finished_ = false, stalls_ = false;
-  double fraction_ = 0, last_step_ = 0;  ///< done, and by how much the last report raised it
+  RemainingTime time_;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_step_at_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
   std::mutex mutex_;  ///< guards everything above
   std::condition_variable woken_;

@@ -8,12 +8,9 @@
 #include <unistd.h>
 
 #include <array>
-#include <cctype>
 #include <chrono>
-#include <cstdlib>
 #include <string>
 #include <thread>
-#include <vector>
 
 using namespace std::chrono_literals;
 
@@ -45,16 +42,6 @@ std::string at_terminal(const Work& work) {
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
   return said;
-}
-
-/// Returns the estimates, all in seconds, in their order.
-std::vector<double> seconds_left(const std::string& said) {
-  std::vector<double> list;
-  for (std::size_t at = 0; (at = said.find(" %  ", at)) != std::string::npos; ++at) {
-    if (std::isdigit(static_cast<unsigned char>(said[at + 4])) != 0)
-      list.push_back(std::strtod(said.c_str() + at + 4, nullptr));
-  }
-  return list;
 }
 
 bool has(const std::string& text, const char* part) {
@@ -90,15 +77,19 @@ TEST_CASE("a line of progress that moves, or is finished, tells no stall", "[pro
 }
 
 TEST_CASE("the time that is left falls while a large step of the work goes on", "[progress]") {
-  const std::string said = at_terminal([] {
-    carlo::Progress progress("grading", true);
-    std::this_thread::sleep_for(3s);
-    progress.update(0.125);
-    std::this_thread::sleep_for(1500ms);  // it is drawn again after one
-  });
-  const std::vector<double> left = seconds_left(said);
-  REQUIRE(left.size() >= 2);
-  CHECK(left.back() < left.front());
+  carlo::RemainingTime time;
+  CHECK_FALSE(time.estimate(3).has_value());
+  time.update(0.125, 3);
+  CHECK(time.estimate(3).value() == 21);
+  CHECK(time.estimate(5).value() == 19);
+  // The second step is late: were it to end now, six of eight would be to come.
+  CHECK(time.estimate(12).value() == 36);
+  time.update(0.25, 12);
+  CHECK(time.estimate(12).value() == 36);
+  time.update(0.25, 13);  // nothing new
+  CHECK(time.estimate(13).value() == 35);
+  time.update(0.875, 30);
+  CHECK(time.estimate(31).value() > 0);
 }
 
 TEST_CASE("without a terminal there is a line now and then, and none after the end", "[progress]") {
