@@ -1,7 +1,10 @@
 #include "call.h"
 
 #include "stats/fit.h"
+#include "stats/running_mean.h"
 #include "support/error.h"
+
+#include <boost/math/distributions/students_t.hpp>
 
 namespace site {
 
@@ -23,6 +26,19 @@ static const Function slope("slope", [](const Arguments& given) -> Numbers {
   const std::size_t n = all.size() / 2;
   const carlo::PowerFit fit = carlo::fit_power_law(all.first(n), all.last(n));
   return {fit.slope, fit.slope_half_width};
+});
+
+/// group_slope n x... y...: as slope, for independent groups of n points at the same x. The points
+/// of a group need not be independent, as errors of one growing sample are not: the interval is
+/// Student's t of the groups' slopes.
+static const Function group_slope("group_slope", [](const Arguments& given) -> Numbers {
+  const std::size_t n = given.index(0);
+  const auto x = given.from(1).first(n), ys = given.from(1 + n);
+  carlo::RunningMean slopes;
+  for (std::size_t at = 0; at + n <= ys.size(); at += n)
+    slopes.add(carlo::fit_power_law(x, ys.subspan(at, n)).slope);
+  const boost::math::students_t student(slopes.count() - 1);
+  return {slopes.mean(), boost::math::quantile(student, 0.975) * slopes.error()};
 });
 
 }  // namespace site

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 namespace site {
 namespace {
@@ -98,17 +99,26 @@ Numbers image(const Arguments& given) {
   return rgb;
 }
 
-/// render: the mean luminance, and the root mean square of the pixels' standard errors.
+/// render: the mean luminance; the root mean square of the standard errors of all pixels, and of
+/// each of 16 groups of rows, whose noise is independent.
 Numbers noise(const Arguments& given) {
-  double sum = 0, squares = 0;
+  constexpr std::size_t groups = 16;
+  double sum = 0;
+  Numbers squares(groups);
   const Render& render = render_of(given);
-  for (const Render::Pixel& pixel : render.pixels) {
-    sum += pixel.luminance.mean();
-    const double error = pixel.luminance.count() < 2 ? 0 : pixel.luminance.error();
-    squares += error * error;
+  const auto size = static_cast<std::size_t>(render.size);
+  for (std::size_t i = 0; i < render.pixels.size(); ++i) {
+    const RunningMean& luminance = render.pixels[i].luminance;
+    sum += luminance.mean();
+    const double error = luminance.count() < 2 ? 0 : luminance.error();
+    squares[i / size % groups] += error * error;
   }
   const auto count = static_cast<double>(render.pixels.size());
-  return {sum / count, std::sqrt(squares / count)};
+  const double all = std::accumulate(squares.begin(), squares.end(), 0.0);
+  Numbers results{sum / count, std::sqrt(all / count)};
+  for (const double square : squares)
+    results.push_back(std::sqrt(square * groups / count));
+  return results;
 }
 
 /// render, x, y: samples, mean luminance and its standard error.
