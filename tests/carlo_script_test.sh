@@ -143,6 +143,14 @@ carlo lab 1 >"$scratch/said" 2>&1
 grep -q 'building .a minute or more' "$scratch/said" || failed "no announcement: $(cat "$scratch/said")"
 [ "$(grep '^carlo: building [0-9]' "$scratch/said")" = 'carlo: building 10/21, about 20 s left' ] ||
   failed "progress on a pipe: $(cat "$scratch/said")"
+# So do the suite's own tests, whose output and exit code stay ctest's.
+cp "$tools/ctest" "$scratch/ctest"
+program "$tools/ctest" 'printf " 9/20 Test  #3: one .. Passed 1 sec\n" && sleep 11.5 && printf "10/20 Test #4: two ... Failed\n" && exit 8'
+code=0
+carlo test --solutions >"$scratch/said" 2>"$scratch/progress" || code=$?
+[ "$code:$(wc -l <"$scratch/said"):$(grep -c '^carlo: testing 9/20, about 20 s left$' "$scratch/progress")" = 8:2:1 ] ||
+  failed "progress of tests: exit code $code, $(cat "$scratch/said" "$scratch/progress")"
+mv "$scratch/ctest" "$tools/ctest"
 program "$tools/ninja" 'echo "a.cpp:1:1: error: x"; exit 1'
 expect_error_in_build() { expect 1 'the code does not compile .the compiler.s full output: .*build.log' lab 1; }
 expect_error_in_build

@@ -1,16 +1,15 @@
 #include "course/verbs/building.h"
 
 #include "course/cli/descriptor.h"
+#include "course/verbs/step_progress.h"
 #include "course/verbs/words.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
-#include "support/number.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <sstream>
@@ -23,77 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shows a build's progress as reported by ninja ("@done/total seconds ..."): in one line on a
-/// terminal, elsewhere as one line every ten seconds.
-class BuildProgress {
- public:
-  BuildProgress();
-  /// Shows the progress that a line of ninja reports; returns false if it reports none.
-  bool take(const std::string& line);
-  /// Shows it on a terminal; elsewhere if nothing has been shown for ten seconds.
-  void show();
-  /// Clears the terminal's line.
-  void clear();
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool terminal_, shown_ = false;
-  int done_ = 0, total_ = 0;
-  Clock::time_point start_ = Clock::now(), last_line_ = start_;
-};
-
-/// Returns ", about 3 min left" for a build of which `done` of `total` steps took `seconds`; ""
-/// while that would be a guess.
-std::string time_left(int done, int total, int seconds) {
-  if (seconds < 3 || done < 5) return "";
-  const int left = seconds * (total - done) / done;
-  if (left < 90) return joined({", about ", std::to_string(left / 10 * 10 + 10), " s left"});
-  return joined({", about ", std::to_string((left + 30) / 60), " min left"});
-}
-
-BuildProgress::BuildProgress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-bool BuildProgress::take(const std::string& line) {
-  if (line.empty() || line[0] != '@') return false;
-  // "@DONE/TOTAL what"
-  const std::size_t slash = line.find('/'), blank = line.find(' ');
-  if (slash > blank || blank == std::string::npos) return false;
-  const std::string_view text = line;
-  const auto done = number_of<int>(text.substr(1, slash - 1));
-  const auto total = number_of<int>(text.substr(slash + 1, blank - slash - 1));
-  if (!done || !total) return false;
-  done_ = *done;
-  total_ = *total;
-  show();
-  return true;
-}
-
-void BuildProgress::show() {
-  if (total_ == 0) return;
-  const auto now = Clock::now();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
-  const std::string text =
-      joined({"carlo: building ", std::to_string(done_), "/", std::to_string(total_),
-              time_left(done_, total_, static_cast<int>(seconds))});
-  if (terminal_) {
-    shown_ = true;
-    say({"\r\x1b[K", text});
-  } else if (now - last_line_ >= std::chrono::seconds(10)) {
-    last_line_ = now;
-    say({text, "\n"});
-  }
-}
-
-void BuildProgress::clear() {
-  if (shown_) say({"\r\x1b[K"});
-  shown_ = false;
-}
-
 /// Shortens a path relative to the current folder.
 std::string from_here(const fs::path& path) {
   std::error_code ec;
   const std::string here = joined({fs::current_path(ec), "/"}), text = path.string();
   return text.starts_with(here) ? text.substr(here.size()) : text;
+}
+
+/// Reports the step in a line of ninja, "@DONE/TOTAL what"; returns false if it has none.
+bool report_step(const std::string& line, StepProgress& progress) {
+  if (!line.starts_with('@')) return false;
+  const auto step = step_in(std::string_view(line).substr(1));
+  if (step) progress.report(*step);
+  return step.has_value();
 }
 
 /// True if a line of the build log is a command run by ninja or a message of ninja itself.
@@ -178,11 +119,11 @@ void Building::build(const Words& targets, const Words& keep) {
   if (!keep.empty()) ((command += {"--keep", own().path()}) += keep) += {"--"};
   (command += {"env", "NINJA_STATUS=@%f/%t ", "ninja", "-C", folder_}) += targets;
   std::string said;
-  BuildProgress progress;
+  StepProgress progress("building");
   const int code = run_listening(
       command, {.notices = STDERR_FILENO},
       [&](const std::string& line) {
-        if (!progress.take(line)) (said += line) += '\n';
+        if (!report_step(line, progress)) (said += line) += '\n';
       },
       [&] { progress.show(); });
   progress.clear();

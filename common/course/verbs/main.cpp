@@ -30,7 +30,7 @@ int run_verb(const Words& words) {
 [[noreturn]] void become(const HandOver& next) {
   std::fflush(nullptr);
   const std::vector<char*> argv = pointers(next.command);
-  if (next.folder.empty() || ::chdir(next.folder.c_str()) == 0) ::execvp(argv[0], argv.data());
+  ::execvp(argv[0], argv.data());
   fail({next.command[0], " cannot be run"});
 }
 

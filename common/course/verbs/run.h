@@ -20,7 +20,6 @@ struct Leave {
 /// that the verb holds has been cleaned up.
 struct HandOver {
   Words command;
-  std::filesystem::path folder = {};  ///< where it starts; empty: the current folder
 };
 
 /// From now on Ctrl-C reaches the programs that we run but leaves us alive to clean up; SIGTERM and

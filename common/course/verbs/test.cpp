@@ -1,6 +1,7 @@
 // The verb test: judges a student's code, or runs the suite's own tests.
 
 #include "course/verbs/course.h"
+#include "course/verbs/step_progress.h"
 
 #include <unistd.h>
 
@@ -125,6 +126,25 @@ bool chooses(const Words& options) {
   });
 }
 
+/// Runs ctest in the current folder, with a line of progress wherever it is silent: a test may take
+/// a minute.
+[[noreturn]] void run_tests(const Words& ctest) {
+  StepProgress progress("testing");
+  const int code = run_listening(
+      ctest, {},
+      [&](const std::string& line) {
+        progress.clear();
+        std::puts(line.c_str());
+        std::fflush(stdout);
+        const std::size_t blanks = line.find_first_not_of(' ');
+        if (line.find(" Test ") == line.find(' ', blanks))
+          if (const auto step = step_in(line)) progress.report(*step);
+      },
+      [&] { progress.show(); });
+  progress.clear();
+  throw Leave{code};
+}
+
 /// Runs the tests that show that everything works; all of the suite with --all, or where ctest's
 /// options choose among them; or those of the one lab that was named.
 [[noreturn]] void test_suite(Course& course, TestWishes wishes, Words options) {
@@ -148,7 +168,8 @@ bool chooses(const Words& options) {
     command += {"-R", joined({"^", wishes.labs[0].program(), "[.]"})};
   else if (!all)
     command += {"-L", "^first$"};
-  throw HandOver{command += options, course.building.folder()};
+  fs::current_path(course.building.folder());
+  run_tests(command += options);
 }
 
 [[noreturn]] void hard_cases(Course& course, const Words& rest) {
