@@ -170,6 +170,19 @@ std::string unjudged_cell(const LabGrade& lab) {
                      lab.result.exercises.size(), in_words(*lab.unjudged));
 }
 
+/// Returns what stands in the cell of a judged exercise: its points, and why a program brought none
+/// to its end.
+std::string cell_text(const ExerciseResult& exercise, Standing standing) {
+  const auto points = points_of(exercise);
+  if (!points) return "?";
+  if (standing == Standing::not_done) return "–";
+  std::string text = points_text(*points);
+  if (standing == Standing::right || standing == Standing::by_itself) return text;
+  if (exercise.status == Status::crashed) text += "<small> crash</small>";
+  if (exercise.status == Status::timeout) text += "<small> time</small>";
+  return text;
+}
+
 std::string student_row(const Record& record, const std::string& name) {
   std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", html_escaped(name));
   for (const LabGrade& lab : record.labs) {
@@ -180,12 +193,9 @@ std::string student_row(const Record& record, const std::string& name) {
     for (const ExerciseResult& exercise : lab.result.exercises) {
       const Standing standing = standing_of(exercise);
       const Look look = look_of(standing);
-      const auto points = points_of(exercise);
-      html += fmt::format("<td class=\"{}\" title=\"{}: {}\">{}</td>", look.style,
-                          html_escaped(exercise.number()), look.words,
-                          !points                          ? "?"
-                          : standing == Standing::not_done ? "–"
-                                                           : points_text(*points));
+      html +=
+          fmt::format("<td class=\"{}\" title=\"{}: {}\">{}</td>", look.style,
+                      html_escaped(exercise.number()), look.words, cell_text(exercise, standing));
     }
   }
   const auto all = record.points();
@@ -226,6 +236,7 @@ constexpr const char* class_style = R"(
 .follows { background: repeating-linear-gradient(45deg, var(--paper) 0 4px,
   color-mix(in srgb, var(--series-2) 30%, var(--paper)) 4px 8px); }
 .undone { color: var(--soft); }
+.class-matrix small { display: block; font-size: .7em; line-height: 1; }
 .uncompiled { background: color-mix(in srgb, var(--series-7) 40%, var(--paper)); }
 .unjudged { outline: 2px dashed var(--series-2); outline-offset: -2px; }
 .class-legend span { display: inline-block; margin-right: 1rem; }
@@ -303,7 +314,8 @@ Page class_page(std::vector<Record> records, const ClassWords& words) {
     page.section("Mistakes");
     page.prose(
         "For each student and exercise that is not right, the likeliest mistake, if the judge can "
-        "name one; and how many crashed, took too long or do not compile. The reports say whose.");
+        "name one; and how many crashed, took too long or do not compile. Below, \"crash\" and "
+        "\"time\" mark whose; mistakes are named in the students' reports.");
     page.table(mistakes);
   }
   page.section("Students");

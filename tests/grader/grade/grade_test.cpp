@@ -259,6 +259,8 @@ TEST_CASE("The class's page counts crashes and time limits by exercise", "[grade
   CHECK(has(page, row + "1</td><td>the program crashes: segmentation fault.</td>"));
   CHECK(has(page, row + "2</td><td>it is named.</td>"));
   CHECK(has(page, row + "2</td><td>the program is not done in time"));
+  CHECK(has(page, ": no points\">0<small> crash</small></td>"));
+  CHECK(has(page, ": no points\">0<small> time</small></td>"));
 }
 
 TEST_CASE("Numbers in place of names tell no ranks, and stay as they are", "[grade]") {
