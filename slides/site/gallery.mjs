@@ -62,7 +62,7 @@ export function gallery(context, programs, tools) {
   const scenes = fs.readdirSync(path.join(context.root, "common/scenes")).filter((name) => name.endsWith(".xml")).map((name) => name.slice(0, -4));
   const figures = scenes.map((scene) => sceneHtml({ ...context, scale: scaleHtml(context.root) }, renderer, scene, folder));
   const readme = fs.readFileSync(path.join(context.root, "README.md"), "utf8");
-  const from = readme.indexOf("    ./carlo bench peers"), peers = readme.slice(from, readme.indexOf("    ./carlo test --hard", from));
+  const from = readme.indexOf("    ./carlo bench render\n"), measured = readme.slice(from, readme.indexOf("    ./carlo test --hard", from));
   context.write("gallery.html", page(context, {
     name: "gallery.html",
     title: "The scenes",
@@ -71,6 +71,6 @@ noise: a pixel’s colour is its standard error relative to its own brightness, 
 (100 % or more). Errors fall faster than the slope −1/2 of random points, since the renderer uses Sobol’ points and the shortest times include
 its start.`,
     body: `<div class="charts scenes">${figures.join("\n")}</div>
-<section><h2>Beside other renderers</h2><div class="text">${htmlOf(peers, tools, context.pages)}</div></section>`,
+<section><h2>How fast, how accurate</h2><div class="text">${htmlOf(measured, tools, context.pages)}</div></section>`,
   }));
 }

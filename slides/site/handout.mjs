@@ -55,11 +55,14 @@ const citation = /slides ([0-9]{2}):([a-z0-9-]+)/g;
 /** An anchor for a heading or term: "Step a: camera rays" -> "text-step-a-camera-rays". */
 const anchorOf = (heading) => `text-${heading.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, "").replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "")}`;
 
-/** Markdown as HTML; names of files of which the site has a page link to it. `pages`: as for textOf(). */
+const titleOf = (page) => ({ "glossary.html": "the glossary", "instructors.html": "the instructors’ guide" })[page] ??
+  page.replace(/lab0?([0-9]+)\.html/, "lab $1’s page");
+
+/** Markdown as HTML; in the place of files of which the site has a page stand links to it. `pages`: as for textOf(). */
 export const htmlOf = (text, { markdown }, pages) =>
   markdown
     .render(text)
-    .replace(/<code>([A-Za-z0-9_./-]+\.md)<\/code>/g, (words, file) => (pages(file) ? `<a href="${pages(file)}">${words}</a>` : words))
+    .replace(/<code>([A-Za-z0-9_./-]+\.md)<\/code>/g, (words, file) => (pages(file) ? `<a href="${pages(file)}">${titleOf(pages(file))}</a>` : words))
     .replaceAll("<table>", '<div class="scroll" tabindex="0"><table>')
     .replaceAll("</table>", "</table></div>");
 

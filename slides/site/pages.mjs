@@ -122,13 +122,13 @@ ${escaped(lab.title)}</a></li>`).join("\n");
 <figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
 <div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository. Each installs whatever is missing.</p>
 <pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
-<p>Or install nothing: the experiments on the labs’ pages run in your browser. Begin with <a href="lab01.html#curse">the curse of
-dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
+<p>Or install nothing: the experiments on the labs’ pages run in your browser. New to all this? Begin with lab 1 and
+<a href="lab01.html#curse">the curse of dimensions</a>. To see where the labs lead, try lab 8’s <a href="lab08.html#tracer">path tracer</a>.</p></div></div>
 <section><h2>For a course</h2>${html(part("**For a course**", "\n\n").replace("**For a course**: for", "For"))}
 ${context.decks.size ? `<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul>` : ""}</section>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas, and experiments that run in your browser on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
-<section><h2>How fast, how accurate</h2>${html(part("    ./carlo bench render\n", "    ./carlo test --hard"))}
-<p><a href="gallery.html">The scenes</a>, each with its noise and its error against time.</p></section>`,
+<section><h2>How fast, how accurate</h2>${html(part("A Cornell box of 256", "\n\n"))}
+<p><a href="gallery.html">See each scene</a> with its noise, its error against time and the other renderers’ times.</p></section>`,
   });
 }
