@@ -2,10 +2,9 @@
 
 #include "support/error.h"
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace carlo {
 namespace {
@@ -34,7 +33,27 @@ void check_input(std::span<const double> x, std::span<const double> y,
   }
 }
 
+/// P(|T| <= t) where t = sqrt(freedom) tan(angle): a finite sum, since the degrees are whole.
+double student_share(double angle, std::size_t freedom) {
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const bool odd = freedom % 2 == 1;
+  double term = odd ? sine * cosine : sine, sum = 0;
+  for (std::size_t k = odd ? 3 : 2; k <= freedom; k += 2) {
+    sum += term;
+    const auto even_or_odd = static_cast<double>(k);
+    term *= (even_or_odd - 1) / even_or_odd * cosine * cosine;
+  }
+  return odd ? 2 / std::numbers::pi * (angle + sum) : sum;
+}
+
 }  // namespace
+
+double student_half_width(double confidence, std::size_t freedom) {
+  double low = 0, high = std::numbers::pi / 2;
+  for (double middle = high / 2; low < middle && middle < high; middle = (low + high) / 2)
+    (student_share(middle, freedom) < confidence ? low : high) = middle;
+  return std::sqrt(static_cast<double>(freedom)) * std::tan(low);
+}
 
 PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
                        std::span<const double> weights, double confidence) {
@@ -70,8 +89,7 @@ PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
     residuals += weight(i) * r * r;
   }
   const auto freedom = static_cast<double>(n - 2);
-  const boost::math::students_t student(freedom);
-  const double t = boost::math::quantile(student, (1 + confidence) / 2);
+  const double t = student_half_width(confidence, n - 2);
   const double sigma = std::sqrt(residuals / freedom);
 
   PowerFit fit;

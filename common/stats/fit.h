@@ -39,6 +39,12 @@ struct PowerFit {
 PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
                        std::span<const double> weights = {}, double confidence = 0.95);
 
+/// Returns the t > 0 for which Student's T with `freedom` >= 1 degrees has P(|T| <= t) =
+/// `confidence`, 0 < confidence < 1; that probability is right to 1e-13. Takes time in proportion
+/// to `freedom`. Source: Abramowitz and Stegun, "Handbook of Mathematical Functions", 26.7.3
+/// and 26.7.4.
+double student_half_width(double confidence, std::size_t freedom);
+
 /// Returns the x at which two power laws have the same y. Infinite if the slopes are equal.
 inline double crossing(const PowerFit& a, const PowerFit& b) {
   if (a.slope == b.slope) return std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include "stats/running_mean.h"
 #include "support/error.h"
 
+#include <boost/math/distributions/students_t.hpp>
 #include <catch2/catch_test_macros.hpp>
 
 #include <array>
@@ -53,6 +54,22 @@ TEST_CASE("The fit agrees with a case worked by hand", "[fit]") {
   CHECK(std::fabs(fit.slope) <= 1e-15);
   CHECK(std::fabs(fit.log_scale - 1.0 / 3) <= 1e-15);
   CHECK(std::fabs(fit.slope_half_width - 12.706204736 / std::sqrt(3.0)) <= 1e-7);
+}
+
+TEST_CASE("Student's quantile is Boost's", "[fit]") {
+  for (const std::size_t freedom : {1, 2, 3, 4, 5, 6, 15, 38, 97, 1000, 10'001}) {
+    const boost::math::students_t student(static_cast<double>(freedom));
+    for (const double confidence : {1e-6, 0.1, 0.5, 0.9, 0.95, 0.99, 0.999, 1 - 1e-6, 1 - 1e-9}) {
+      CAPTURE(freedom, confidence);
+      const double t = carlo::student_half_width(confidence, freedom);
+      const double tail = 2 * boost::math::cdf(boost::math::complement(student, t));
+      CHECK(std::fabs(tail - (1 - confidence)) <= 1e-13);
+      if (confidence >= 0.1 && confidence <= 0.999) {
+        const double boosts = boost::math::quantile(student, (1 + confidence) / 2);
+        CHECK(std::fabs(t / boosts - 1) <= 1e-11);
+      }
+    }
+  }
 }
 
 TEST_CASE("A weight counts like repeated points", "[fit]") {

@@ -4,8 +4,6 @@
 #include "stats/running_mean.h"
 #include "support/error.h"
 
-#include <boost/math/distributions/students_t.hpp>
-
 namespace site {
 
 static const Function* last_function = nullptr;
@@ -37,8 +35,8 @@ static const Function group_slope("group_slope", [](const Arguments& given) -> N
   carlo::RunningMean slopes;
   for (std::size_t at = 0; at + n <= ys.size(); at += n)
     slopes.add(carlo::fit_power_law(x, ys.subspan(at, n)).slope);
-  const boost::math::students_t student(slopes.count() - 1);
-  return {slopes.mean(), boost::math::quantile(student, 0.975) * slopes.error()};
+  const auto groups = static_cast<std::size_t>(slopes.count());
+  return {slopes.mean(), carlo::student_half_width(0.95, groups - 1) * slopes.error()};
 });
 
 }  // namespace site
