@@ -2,6 +2,7 @@
 
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 
 import { escaped } from "../tool/pictures.mjs";
@@ -42,18 +43,18 @@ function sceneHtml({ root, out, book, scale }, renderer, scene, folder) {
   fs.copyFileSync(`${last.base}.png`, path.join(out, `scenes/${scene}.png`));
   fs.copyFileSync(`${last.base}.error.png`, path.join(out, `scenes/${scene}.error.png`));
   const xml = fs.readFileSync(path.join(root, `common/scenes/${scene}.xml`), "utf8");
-  const teaches = /Teaches: ([\s\S]*?)-->/.exec(xml)?.[1].replace(/\s+/g, " ").trim() ?? "";
+  const teaches = /Teaches: ([\s\S]*?)-->/.exec(xml)?.[1].replace(/\s+/g, " ").trim().replace(new RegExp(`^${scene.replaceAll("_", " ")}: `), "") ?? "";
   const points = found.filter((one) => one.relative_pixel_error > 0).map((one) => [one.seconds, one.relative_pixel_error]);
   const [at] = points;
   const plot = points.length < 2 ? "<p>No noise: every sample gives the exact value.</p>" : plotSvg(book.runs, {
-    kind: "loglog", narrow: true, xlabel: "seconds", ylabel: "relative error of a pixel", xunit: "seconds",
+    kind: "loglog", narrow: true, xlabel: "seconds", ylabel: "error", xunit: "seconds",
     guides: [{ slope: -0.5, at, to: points.at(-1)[0], label: "−1/2" }] },
     `Error against seconds, ${scene}`, [{ name: "", points }]);
   const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="160" height="160">`;
   return `<figure id="${scene}"><figcaption>${scene}<span>${escaped(teaches)}</span></figcaption>
 <div class="pair">${img(scene, `The scene ${scene}`)}<div>${img(`${scene}.error`, `Map of the relative noise of ${scene}`)}${scale}</div></div>
-<p>${last.spp} samples a pixel in ${three(last.seconds)} s, ${three(last.paths / last.seconds / 1e6)} million paths a second; a pixel’s standard
-error, estimated from the render itself, is ${three(100 * last.relative_pixel_error)} % of the mean.</p>${plot}</figure>`;
+<p>${last.spp} samples a pixel in ${three(last.seconds)} s, ${three(last.paths / last.seconds / 1e6)} million paths a second; the
+error, estimated from the render itself, is ${three(100 * last.relative_pixel_error)} %.</p>${plot}</figure>`;
 }
 
 export function gallery(context, programs, tools) {
@@ -63,13 +64,15 @@ export function gallery(context, programs, tools) {
   const figures = scenes.map((scene) => sceneHtml({ ...context, scale: scaleHtml(context.root) }, renderer, scene, folder));
   const readme = fs.readFileSync(path.join(context.root, "README.md"), "utf8");
   const from = readme.indexOf("    ./carlo bench render\n"), measured = readme.slice(from, readme.indexOf("    ./carlo test --hard", from));
+  const processors = os.cpus(), threads = processors.length === 1 ? "one thread" : `${processors.length} threads`;
   context.write("gallery.html", page(context, {
     name: "gallery.html",
     title: "The scenes",
     lead: `Rendered at 160 × 160 pixels by <code>./carlo render</code> when this site was made. The picture on the right of each pair shows the
 noise: a pixel’s colour is its standard error relative to its own brightness, on a logarithmic scale from dark blue (0.1 % or less) to yellow
-(100 % or more). Errors fall faster than the slope −1/2 of random points, since the renderer uses Sobol’ points and the shortest times include
-its start.`,
+(100 % or more). The error is the root mean square over the pixels of their standard errors, relative to the mean brightness: pixels at the
+edge of a light count most. It falls faster than the −1/2 of random points: the renderer’s are Sobol’ points, and the shortest times include its start. All of it on
+${threads} of ${processors[0].model.trim()}.`,
     body: `<div class="charts scenes">${figures.join("\n")}</div>
 <section><h2>How fast, how accurate</h2><div class="text">${htmlOf(measured, tools, context.pages)}</div></section>`,
   }));

@@ -55,7 +55,7 @@ const citation = /slides ([0-9]{2}):([a-z0-9-]+)/g;
 /** An anchor for a heading or term: "Step a: camera rays" -> "text-step-a-camera-rays". */
 const anchorOf = (heading) => `text-${heading.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, "").replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "")}`;
 
-const titleOf = (page) => ({ "glossary.html": "the glossary", "instructors.html": "the instructors’ guide" })[page] ??
+const titleOf = (page) => ({ "glossary.html": "the glossary", "instructors.html": "the instructors’ guide", "students.html": "the students’ sheet" })[page] ??
   page.replace(/lab0?([0-9]+)\.html/, "lab $1’s page");
 
 /** Markdown as HTML; in the place of files of which the site has a page stand links to it. `pages`: as for textOf(). */

@@ -15,9 +15,11 @@ const experimentsOf = (root, lab) =>
     : [];
 
 function navigation(labs, here) {
-  const link = (page, text) => `<li><a href="${page}"${page === here ? ' aria-current="page"' : ""}>${text}</a></li>`;
+  const link = (page, text, title = "") =>
+    `<li><a href="${page}"${title && ` title="${escaped(title)}"`}${page === here ? ' aria-current="page"' : ""}>${text}</a></li>`;
   return `<nav aria-label="Site"><ol>${link("index.html", "Carlo")}${labs
-    .map((lab) => link(lab.page, lab.number)).join("")}${link("gallery.html", "Scenes")}${link("glossary.html", "Glossary")}${link("instructors.html", "Instructors")}</ol></nav>`;
+    .map((lab) => link(lab.page, lab.number, `Lab ${lab.number}: ${lab.title}`)).join("")}${link("gallery.html", "Scenes")}${
+    link("glossary.html", "Glossary")}${link("students.html", "Students")}${link("instructors.html", "Instructors")}</ol></nav>`;
 }
 
 /** A page's sections, [anchor, words, those within]; folded at first on a phone. */
@@ -28,7 +30,7 @@ function contents(sections) {
 <script>if (innerWidth < 640) document.querySelector(".contents").open = false;</script>`;
 }
 
-export function page({ labs }, { name, title, lead = "", sections = [], body, scripts = [] }) {
+export function page({ labs, source }, { name, title, lead = "", sections = [], body, scripts = [] }) {
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>${escaped(title)}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -42,7 +44,9 @@ export function page({ labs }, { name, title, lead = "", sections = [], body, sc
 ${body}
 </main>
 <footer>Carlo: Monte Carlo rendering labs in C++20. The pages compute with the suite’s own library and solutions,
-compiled to WebAssembly. Formulas are set by KaTeX (MIT; its fonts: SIL Open Font License).</footer>
+compiled to WebAssembly. Formulas are set by KaTeX (MIT; its fonts: SIL Open Font License).${
+    source.address && ` The repository: <a href="${escaped(source.address)}">${escaped(source.address)}</a>.`}${
+    source.commit && ` Made from commit ${escaped(source.commit)}.`}</footer>
 ${scripts.map((file) => `<script src="${file}"></script>`).join("\n")}
 </body></html>
 `;
@@ -120,7 +124,8 @@ ${escaped(lab.title)}</a></li>`).join("\n");
     lead: markdown.renderInline(lead),
     body: `<div class="hero"><figure><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
 <figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
-<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository. Each installs whatever is missing.</p>
+<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of ${context.source.address
+    ? `<a href="${escaped(context.source.address)}">the repository</a>` : "the repository"}. Each installs whatever is missing. Other machines: <a href="students.html#text-your-machine">the students’ sheet</a>.</p>
 <pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
 <p>Or install nothing: the experiments on the labs’ pages run in your browser. New to all this? Begin with lab 1 and
 <a href="lab01.html#curse">the curse of dimensions</a>. To see where the labs lead, try lab 8’s <a href="lab08.html#tracer">path tracer</a>.</p></div></div>

@@ -94,6 +94,14 @@ function size(folder) {
     sum + (entry.isDirectory() ? size(path.join(folder, entry.name)) : fs.statSync(path.join(folder, entry.name)).size), 0);
 }
 
+/** Where the repository is, if git or GitHub says so, and which commit this is. */
+function sourceOf() {
+  const git = (...words) => spawnSync("git", ["-C", root, ...words], { encoding: "utf8" }).stdout?.trim() ?? "";
+  const { GITHUB_SERVER_URL: server, GITHUB_REPOSITORY: name } = process.env;
+  const address = server && name ? `${server}/${name}` : git("remote", "get-url", "origin").replace(/\.git$/, "");
+  return { address: /^https:\/\/[^@]+$/.test(address) ? address : "", commit: git("log", "-1", "--format=%h of %cs") };
+}
+
 function main([programs, out]) {
   const start = Date.now();
   const module = buildModule();
@@ -106,7 +114,7 @@ function main([programs, out]) {
   const pageOf = (deck) => labs.find((lab) => lab.digits === deck.number)?.page;
   const formulas = formulasOf(book, tools, pageOf);
   const pages = (file) => labs.find((lab) => file === `labs/${lab.folder}/README.md`)?.page ??
-    { "tests/INSTRUCTORS.md": "instructors.html", "labs/glossary.md": "glossary.html" }[file];
+    { "tests/INSTRUCTORS.md": "instructors.html", "labs/README.md": "students.html", "labs/glossary.md": "glossary.html" }[file];
   const write = (name, text) => fs.writeFileSync(path.join(out, name), text);
 
   say("writing the pages ...");
@@ -116,7 +124,7 @@ function main([programs, out]) {
     `\nconst carloScenes = ${execFileSync(path.join(programs, "carlo_site_native"), ["scenes"], { encoding: "utf8" })};\n` +
     fs.readFileSync(path.join(here, "web/live.js"), "utf8").replace('"use strict";', ""));
   const decks = copyDecks(book, labs, out);
-  const context = { root, book, labs, formulas, decks, pages, write, out };
+  const context = { root, book, labs, formulas, decks, pages, write, out, source: sourceOf() };
   for (const lab of labs) {
     const text = textOf(root, `labs/${lab.folder}/README.md`, tools, formulas, pages);
     if (lab.live) fs.copyFileSync(path.join(here, `web/lab${lab.number}.js`), path.join(out, `lab${lab.number}.js`));
@@ -125,6 +133,7 @@ function main([programs, out]) {
   }
   write("instructors.html", textPage(context, "instructors.html", textOf(root, "tests/INSTRUCTORS.md", tools, formulas, pages),
                                      "The files named here are in the repository; <code>tests/INSTRUCTORS.md</code> is this page."));
+  write("students.html", textPage(context, "students.html", textOf(root, "labs/README.md", tools, formulas, pages)));
   write("glossary.html", textPage(context, "glossary.html", glossaryOf(textOf(root, "labs/glossary.md", tools, formulas, pages), labs)));
   fs.copyFileSync(path.join(root, "common/scenes/cornell_phong.jpg"), path.join(out, "cornell_phong.jpg"));
   write("index.html", frontPage(context, fs.readFileSync(path.join(root, "README.md"), "utf8"), tools));

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <numeric>
 
 namespace site {
 namespace {
@@ -55,6 +54,10 @@ struct Render {
                                        : trace_specular(world, ray, true, rng);
   }
 
+  const Pixel& pixel(std::size_t x, std::size_t y) const {
+    return pixels[y * static_cast<std::size_t>(size) + x];
+  }
+
   void add_row(int y) {
     for (int x = 0; x < size; ++x) {
       Pixel& pixel = pixels[static_cast<std::size_t>(y * size + x)];
@@ -99,25 +102,48 @@ Numbers image(const Arguments& given) {
   return rgb;
 }
 
-/// render: the mean luminance; the root mean square of the standard errors of all pixels, and of
-/// each of 16 groups of rows, whose noise is independent.
-Numbers noise(const Arguments& given) {
-  constexpr std::size_t groups = 16;
+/// The mean luminance of a block of 8 x 8 pixels, the first at (left, top).
+double block_mean(const Render& render, std::size_t left, std::size_t top) {
   double sum = 0;
-  Numbers squares(groups);
-  const Render& render = render_of(given);
-  const auto size = static_cast<std::size_t>(render.size);
-  for (std::size_t i = 0; i < render.pixels.size(); ++i) {
-    const RunningMean& luminance = render.pixels[i].luminance;
-    sum += luminance.mean();
+  for (std::size_t i = 0; i < 64; ++i)
+    sum += render.pixel(left + i % 8, top + i / 8).luminance.mean();
+  return sum / 64;
+}
+
+/// The mean of the squared standard errors of the same pixels.
+double block_error(const Render& render, std::size_t left, std::size_t top) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const RunningMean& luminance = render.pixel(left + i % 8, top + i / 8).luminance;
     const double error = luminance.count() < 2 ? 0 : luminance.error();
-    squares[i / size % groups] += error * error;
+    sum += error * error;
   }
-  const auto count = static_cast<double>(render.pixels.size());
-  const double all = std::accumulate(squares.begin(), squares.end(), 0.0);
-  Numbers results{sum / count, std::sqrt(all / count)};
-  for (const double square : squares)
-    results.push_back(std::sqrt(square * groups / count));
+  return sum / 64;
+}
+
+/// render, reference (another render), both of a size that is a multiple of 8: the mean luminance;
+/// then the root of the mean, over all pixels, of se^2 / (L^2 + .01), where se is the pixel's
+/// standard error and L the luminance of its block in the reference, which is right enough for a
+/// denominator: the square root of relMSE; then the same for each row of blocks, whose noise is
+/// independent.
+Numbers noise(const Arguments& given) {
+  const Render &render = render_of(given), &reference = *renders.at(given.index(1));
+  const auto blocks = static_cast<std::size_t>(render.size) / 8;
+  const auto count = static_cast<double>(blocks);
+  double mean = 0, all = 0;
+  Numbers groups;
+  for (std::size_t y = 0; y < blocks; ++y) {
+    double row = 0;
+    for (std::size_t x = 0; x < blocks; ++x) {
+      const double luminance = block_mean(reference, 8 * x, 8 * y);
+      row += block_error(render, 8 * x, 8 * y) / (luminance * luminance + 0.01) / count;
+      mean += block_mean(render, 8 * x, 8 * y) / count / count;
+    }
+    groups.push_back(std::sqrt(row));
+    all += row / count;
+  }
+  Numbers results{mean, std::sqrt(all)};
+  results.insert(results.end(), groups.begin(), groups.end());
   return results;
 }
 

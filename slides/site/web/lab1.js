@@ -14,7 +14,7 @@ const ruleOrder = [2, 2, 4];
 carlo.experiment("curse", {
   title: "The curse of dimensions",
   intro: "A rule of lab 1.4, nested in d dimensions, against Monte Carlo on the unit cube. Errors are relative to the integral; Monte Carlo's are the root mean square of many runs.",
-  question: "from which dimension on does Monte Carlo fall faster than the midpoint rule?",
+  question: "for the smooth integrand: from which dimension on does Monte Carlo's error fall faster than the midpoint rule's?",
   choices: ["2", "3", "5", "9", "never"],
   answer: "5. The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 the two are equal.",
   asked: { d: 5, f: 0, rule: 0 },

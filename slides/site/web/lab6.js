@@ -8,7 +8,7 @@ carlo.experiment("mis", {
   intro: "A plate reflects one light, on a line of directions. Either draw points of the light, or directions of the plate's lobe, or half of each with Veach and Guibas' weights (labs 6.6 and 6.7). The integral is known in closed form.",
   question: "a small light and a rough plate: which technique alone is better?",
   choices: ["points of the light", "directions of the lobe", "they are equal"],
-  answer: "points of the light. A direction of a wide lobe seldom meets a small light. With a large light and a smooth plate it is the other way round. With weights, the error stays close to that of the better technique, and you need not know which one that is.",
+  answer: "points of the light. A direction of a wide lobe seldom meets a small light. With a large light and a smooth plate it is the other way round. With power weights the error stays close to that of the better technique, and you need not know which one that is; balance weights lose more where one technique is nearly perfect.",
   asked: { half: 0.003, scale: 0.03, m: 0.54 },
   controls: {
     half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.003 },
@@ -95,7 +95,7 @@ carlo.experiment("tails", {
     const method = { name: "measured", sizes, theory: variance < Infinity ? -0.5 : undefined,
       error: (size, count) => {
         const found = carlo.call("6.tails", n, size, count, seed);
-        held.push(100 * found[1]);
+        held[sizes.indexOf(size)] = 100 * found[1];
         return found[0];
       },
       exactName: "σ/√N", exact: (size) => Math.sqrt(variance / size) };

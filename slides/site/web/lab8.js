@@ -14,10 +14,10 @@ const isSpecular = (scene) => ["room with balls", "caustics"].includes(sceneName
 
 carlo.experiment("tracer", {
   title: "The path tracer",
-  intro: "Two of lab 8's tracers side by side, at 128 × 128 pixels on one thread. They take turns and get the same time. The error is the root mean square of the pixels' standard errors, relative to the mean luminance. It measures noise alone: light that is lost to a limit on the length of paths does not show in it. Touch or hover over a pixel, or move with the arrow keys, to see its own error.",
+  intro: "Two of lab 8's tracers side by side, at 128 × 128 pixels on one thread. They take turns and get the same time. The error is the root mean square over the pixels of their standard errors, each relative to the brightness around it (√relMSE). It measures noise alone: light that is lost to a limit on the length of paths does not show in it. Touch or hover over a pixel, or move with the arrow keys, to see its own error.",
   question: "with the same time for the Cornell box, how large is the error of the tracer that samples lights, compared with TracePath's?",
-  choices: ["the same", "about half", "a tenth", "a hundredth"],
-  answer: "about half. TracePath finds the light only by chance.",
+  choices: ["the same", "about half", "about a fifth", "about a hundredth"],
+  answer: "about a fifth, though it traces fewer paths in that time. TracePath finds the light only by chance.",
   asked: { scene: 0, left: 1, right: 2, depth: 0 },
   controls: {
     scene: { label: "scene", options: sceneNames, value: 0 },
@@ -32,6 +32,10 @@ carlo.experiment("tracer", {
     const sides = [left, right].map((tracer, i) => ({ tracer: isSpecular(scene) ? Math.max(2, tracer) : tracer, id: i, row: 0, samples: 0,
       time: 0, times: [], errors: [], groups: [], next: 0.25 }));
     const start = ({ tracer, id }) => carlo.call("8.start", number, tracer, size, seed, depth, id);
+    // What errors are relative to.
+    const reference = 2;
+    start({ tracer: 3, id: reference });
+    for (let pass = 0; pass < 4; ++pass) carlo.call("8.rows", reference, 0, size), await view.pause();
     for (const side of sides) {
       // A browser translates code again once it has run for a while; until then it is slow.
       start(side);
@@ -46,9 +50,9 @@ carlo.experiment("tracer", {
       side.row = (side.row + band) % size;
       if (!side.row && ++side.samples && side.time > side.next) {
         side.next = side.time * 1.3;
-        const [mean, error, ...groups] = carlo.call("8.noise", side.id);
+        const [mean, error, ...groups] = carlo.call("8.noise", side.id, reference);
         white ||= 2.5 * mean;
-        if (side.samples > 1) side.times.push(side.time), side.errors.push(error / mean), side.groups.push(groups);
+        if (side.samples > 1) side.times.push(side.time), side.errors.push(error), side.groups.push(groups);
         drawSide(view, side, size, white);
         drawErrors(view, sides);
       }
@@ -112,19 +116,19 @@ carlo.experiment("furnace", {
   asked: { rho: 0.5 },
   controls: {
     rho: { label: "albedo ρ", min: 0.05, max: 0.9, step: 0.05, value: 0.5 },
-    n: { label: "paths N, at most", steps: [1000, 4000, 16000, 64000], value: 16000 },
+    n: { label: "paths N, at most", steps: [1024, 4096, 16384, 65536], value: 16384 },
   },
   async run({ rho, n: most, seed }, view) {
     const exact = 1 / (1 - rho), names = ["lecture", "corrected"], deviations = carlo.call("8.furnace_deviations", rho);
-    const sizes = [16, 64, 256, 1024, 4096].filter((n) => n <= most), held = [[], []];
+    const sizes = [16, 64, 256, 1024, 4096, 16384, 65536].filter((n) => n <= most), held = [[], []];
     const methods = names.map((name, rule) => ({ name, sizes, theory: deviations[rule] < Infinity ? -0.5 : undefined,
       error: (n, runs) => {
         const [error, share] = carlo.call("8.furnace", rho, rule, n, runs, seed);
-        held[rule].push(100 * share);
+        held[rule][sizes.indexOf(n)] = 100 * share;
         return error;
       },
       exact: (n) => deviations[rule] / Math.sqrt(n) }));
-    const fits = await view.ladder({ methods, runs: (n) => Math.max(16, Math.min(200, Math.round(2e5 / n))), xlabel: "paths N" });
+    const fits = await view.ladder({ methods, runs: (n) => Math.max(50, Math.min(200, Math.round(2e5 / n))), xlabel: "paths N" });
     view.plot("Error bars that contain the truth", { x: { label: "paths N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [...names.map((name, i) => ({ name, x: sizes, y: held[i] })), { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     const last = [];

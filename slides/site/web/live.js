@@ -252,7 +252,7 @@ const carlo = (() => {
 
     /** A table of fitted slopes beside those of theory. */
     slopes(methods, fits) {
-      this.table("Slopes of log error against log N", ["", "measured", "theory"],
+      this.table("Slopes of log error against log N", ["", "measured ± 95 %", "theory"],
         methods.map((method, i) => [escaped(curly(method.name)),
           fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : "too few points",
           method.theory === undefined ? "" : digits(method.theory)]));
