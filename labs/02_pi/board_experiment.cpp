@@ -1,7 +1,7 @@
 #include "course/report/chart.h"
 #include "course/report/format.h"
 #include "course/report/slider.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "experiments.h"
 #include "pi.h"
 

@@ -1,4 +1,4 @@
-#include "course/report/turntable.h"
+#include "course/viewer/turntable.h"
 #include "experiments.h"
 #include "generators.h"
 #include "spectral.h"

@@ -1,5 +1,5 @@
 #include "course/report/format.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "pictures.h"

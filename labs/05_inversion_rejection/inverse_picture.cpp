@@ -1,5 +1,5 @@
 #include "course/report/slider.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "pictures.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #include "pictures.h"
 
-#include "course/report/picture.h"
-#include "course/report/tiles.h"
+#include "course/viewer/picture.h"
+#include "course/viewer/tiles.h"
 
 #include <fmt/core.h>
 

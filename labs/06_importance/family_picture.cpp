@@ -1,6 +1,6 @@
 #include "course/report/chart.h"
 #include "course/report/slider.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "pictures.h"
 
 #include <fmt/core.h>

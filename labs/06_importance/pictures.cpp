@@ -1,6 +1,6 @@
 #include "pictures.h"
 
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "experiments.h"
 #include "images/images.h"
 

@@ -1,6 +1,6 @@
 #include "course/report/format.h"
 #include "course/report/stopwatch.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 #include "experiments.h"
 #include "photon_run.h"
 #include "shown_error.h"

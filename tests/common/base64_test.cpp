@@ -1,6 +1,6 @@
-#include "course/report/base64.h"
+#include "course/viewer/base64.h"
 
-#include "course/report/picture.h"
+#include "course/viewer/picture.h"
 
 #include <catch2/catch_test_macros.hpp>
 

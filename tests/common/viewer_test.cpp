@@ -1,6 +1,6 @@
-#include "course/report/viewer.h"
+#include "course/viewer/viewer.h"
 
-#include "course/report/packed.h"
+#include "course/viewer/packed.h"
 #include "support/error.h"
 #include "texts.h"
 

@@ -2,7 +2,7 @@
 
 #include "course/report/format.h"
 #include "course/report/machine.h"
-#include "course/report/viewer.h"
+#include "course/viewer/viewer.h"
 #include "image/flip.h"
 #include "support/quotes.h"
 

@@ -2,7 +2,7 @@
 
 #include "course/report/format.h"
 #include "course/report/stopwatch.h"
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>

@@ -2,7 +2,7 @@
 
 #include "agreement.h"
 #include "context.h"
-#include "course/report/viewer.h"
+#include "course/viewer/viewer.h"
 #include "image/exr.h"
 #include "peer_program.h"
 #include "peer_scene.h"

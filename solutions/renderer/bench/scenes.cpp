@@ -1,7 +1,7 @@
 #include "context.h"
 #include "course/report/format.h"
 #include "course/report/measure.h"
-#include "course/report/viewer.h"
+#include "course/viewer/viewer.h"
 #include "image/metrics.h"
 #include "methods.h"
 #include "render/scene_film.h"

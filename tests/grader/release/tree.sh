@@ -19,6 +19,9 @@ number_of() { printf '%d' "$((10#${1%%_*}))"; }
 # missing_folders K: prints a regular expression for the folders of common/ that no lab up to K uses.
 missing_folders() {
   awk -v last="$1" '$1 > last {print "^common/" $2 "/"}' <<'END'
+2 image
+2 numeric
+2 course/viewer
 4 sampling
 8 geometry
 8 render

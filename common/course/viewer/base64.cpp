@@ -1,4 +1,4 @@
-#include "course/report/base64.h"
+#include "course/viewer/base64.h"
 
 #include <cstddef>
 #include <cstdint>

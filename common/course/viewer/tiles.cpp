@@ -1,8 +1,8 @@
-#include "course/report/tiles.h"
+#include "course/viewer/tiles.h"
 
 #include "course/report/chart.h"
 #include "course/report/html.h"
-#include "course/report/picture.h"
+#include "course/viewer/picture.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "course/report/turntable.h"
+#include "course/viewer/turntable.h"
 
 #include "course/report/html.h"
-#include "course/report/web_files.h"
+#include "course/viewer/web_files.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

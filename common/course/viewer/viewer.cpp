@@ -1,8 +1,8 @@
-#include "course/report/viewer.h"
+#include "course/viewer/viewer.h"
 
 #include "course/json/json_fields.h"
-#include "course/report/packed.h"
-#include "course/report/web_files.h"
+#include "course/viewer/packed.h"
+#include "course/viewer/web_files.h"
 #include "image/flip.h"
 #include "support/error.h"
 

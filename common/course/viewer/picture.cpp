@@ -1,6 +1,6 @@
-#include "course/report/picture.h"
+#include "course/viewer/picture.h"
 
-#include "course/report/base64.h"
+#include "course/viewer/base64.h"
 #include "image/png.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "course/report/packed.h"
+#include "course/viewer/packed.h"
 
-#include "course/report/base64.h"
+#include "course/viewer/base64.h"
 #include "support/error.h"
 
 #include <zlib.h>
