@@ -84,7 +84,8 @@ export function labPage(context, lab, text) {
   const figures = figuresOf(context, lab);
   const parts = [
     ["try", "Try it", live.length && `<p>Predict first, then run. Everything below is computed in your browser, by this lab’s solution. The page’s
-address holds the controls and the seed, so a link to it shows the same numbers.</p>
+address holds the controls and the seed, so a link to it shows the same random numbers; times, and what is limited by time, differ. A ± is half of
+a 95 % interval where nothing else is said.</p>
 <noscript><p class="note">The experiments need JavaScript.</p></noscript>
 ${live.map(([name]) => `<article class="live" id="${name}"></article>`).join("\n")}`, live],
     ["handout", "The handout", `<div class="text">${text.html}</div>`, text.headings],

@@ -57,7 +57,7 @@ TEST_CASE("The fit agrees with a case worked by hand", "[fit]") {
 }
 
 TEST_CASE("Student's quantile is Boost's", "[fit]") {
-  for (const std::size_t freedom : {1, 2, 3, 4, 5, 6, 15, 38, 97, 1000, 10'001}) {
+  for (const std::size_t freedom : {1U, 2U, 3U, 4U, 5U, 6U, 15U, 38U, 97U, 1000U, 10'001U}) {
     const boost::math::students_t student(static_cast<double>(freedom));
     for (const double confidence : {1e-6, 0.1, 0.5, 0.9, 0.95, 0.99, 0.999, 1 - 1e-6, 1 - 1e-9}) {
       CAPTURE(freedom, confidence);

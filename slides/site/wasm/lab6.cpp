@@ -31,15 +31,15 @@ struct Setting {
   }
 };
 
-/// half, scale, m, points: f, the two densities, and the light's weights by the balance and by the
-/// power heuristic, at points of [0, 1].
+/// half, scale, m, points, from, to: f, the two densities, and the light's weights by the balance
+/// and by the power heuristic, at points of [from, to].
 Numbers curves(const Arguments& given) {
   const Setting setting{given[0], given[1], given[2]};
   const Density light = setting.light(), lobe = setting.lobe();
   const lab06::Function f = setting.f();
   Numbers results;
   for (std::int64_t i = 0; i < given.whole(3); ++i) {
-    const double x = (static_cast<double>(i) + 0.5) / given[3];
+    const double x = given[4] + (static_cast<double>(i) + 0.5) / given[3] * (given[5] - given[4]);
     const Effort own{1, light.pdf(x)}, other{1, lobe.pdf(x)};
     results.insert(results.end(), {x, f(x), own.pdf, other.pdf, balance_weight(own, other),
                                    power_weight(own, other)});

@@ -8,13 +8,13 @@ const knownLcgs = [
   { name: "MINSTD, 48271", a: 48271, b: 0, c: 2147483647 },
   { name: "a = 69069", a: 69069, b: 1, c: 2 ** 32 },
   { name: "ANSI C's example, whole state", a: 1103515245, b: 12345, c: 2 ** 31 },
-  { name: "typed below" },
+  { name: "own a, b, c" },
 ];
 const lcgControls = {
   which: { label: "generator", options: knownLcgs.map((one) => one.name), value: 0 },
-  a: { label: "a, if typed", typed: true, min: 1, max: 2 ** 32 - 1, value: 137 },
-  b: { label: "b, if typed", typed: true, min: 0, max: 2 ** 32 - 1, value: 187 },
-  c: { label: "c, if typed", typed: true, min: 256, max: 2 ** 32, value: 4096 },
+  a: { label: "own a", typed: true, min: 1, max: 2 ** 32 - 1, value: 137 },
+  b: { label: "own b", typed: true, min: 0, max: 2 ** 32 - 1, value: 187 },
+  c: { label: "own c", typed: true, min: 256, max: 2 ** 32, value: 4096 },
 };
 
 /** x_0, odd as RANDU and MINSTD want it. */
@@ -30,7 +30,7 @@ function lcgOf({ which, a, b, c }) {
 
 carlo.experiment("planes", {
   title: "The planes of a generator",
-  intro: "Three successive numbers of x → (a x + b) mod c, divided by c, are a point of the cube. All such points lie on parallel planes; the spectral test (lab 3.8, and its search in more dimensions) finds the greatest distance 1/ν between neighbouring ones.",
+  intro: "Three successive numbers of x → (a x + b) mod c, divided by c, are a point of the cube. All such points lie on parallel planes; the spectral test (lab 3.8, and its search in more dimensions) finds the greatest distance 1/ν between neighbouring ones. Below, two integrals are computed from the same numbers: the mean of x, and the volume of a ball in the cube; dashed are the errors that independent numbers would have. Even RANDU does well in both: a lattice is no fault for every integrand.",
   question: "on how many planes do all triples of RANDU lie?",
   choices: ["15", "about 150", "about 1600", "they fill the cube"],
   answer: "15. RANDU's numbers satisfy xₙ₊₂ = 6 xₙ₊₁ − 9 xₙ modulo 2³¹.",
@@ -58,7 +58,7 @@ carlo.experiment("planes", {
       ["2", carlo.digits(plane, 5), carlo.digits(ideal[0]), ""],
       ["3", carlo.digits(nu, 5), carlo.digits(ideal[1]), normal.join(", ")],
       ["4", four ? carlo.digits(four[0], 5) : "–", carlo.digits(ideal[2]), four ? four.slice(2).join(", ") : ""],
-    ], "ν: one over the distance of neighbouring lines, planes, hyperplanes; “at best” is Hermite’s bound");
+    ], "ν: one over the distance of neighbouring lines, planes, hyperplanes; “at best” is Hermite’s bound; –: takes too long here for this modulus");
     await integrals(view, lcg, firstOf(values));
     view.say(`${carlo.escaped(lcg.name)}: all triples lie on at most ${carlo.digits(planes)} planes, ${carlo.digits(1 / nu)} apart ` +
       `(a perfect lattice of as many points: ${carlo.digits(1 / ideal[1])}).`);
@@ -94,10 +94,10 @@ const testNames = ["χ², top 10 bits", "χ², low 8 bits", "lag-1 correlation",
 
 carlo.experiment("battery", {
   title: "Which tests catch it",
-  intro: "The lab's battery of statistical tests on growing numbers of words. A test catches a generator where its p-value is below 10⁻⁹; a good generator gives p-values uniform on [0, 1].",
+  intro: "The lab's battery of statistical tests on growing numbers of words. A test catches a generator where its p-value is below 10⁻⁹; a good generator gives p-values uniform on [0, 1]. At the end, errors of the mean of x and of a ball's volume from the same numbers; dashed: of independent ones.",
   question: "RANDU's triples lie on few planes. Which test sees it?",
   choices: ["the frequencies of single numbers", "pairs as points of a square", "triples as points of a cube"],
-  answer: "triples. Numbers and pairs of them look right, as long as their leading bits are taken; that low bits fail is another fault, their short period.",
+  answer: "triples. Frequencies of numbers and of pairs look right, as long as their leading bits are taken; that low bits fail is another fault, their short period. (Birthday spacings see pairs as points of a fine lattice, and are far sharper than counts.)",
   asked: { which: 0, k: 16 },
   controls: { ...lcgControls, k: { label: "words, at most", steps: [12, 14, 16, 18, 20], value: 16, text: (k) => carlo.digits(2 ** k, 7) } },
   async run(values, view) {
@@ -121,5 +121,5 @@ function drawBattery(view, found, sizes) {
   const verdict = (p) => (p === undefined ? "" : p < 0 ? "–" : p < 1e-9 ? `<strong class="caught">${carlo.digits(p, 1)}</strong>` : carlo.digits(p, 2));
   view.table("p-values", ["test", ...sizes.map((n) => `2<sup>${Math.log2(n)}</sup>`)],
     testNames.map((test, t) => [test, ...sizes.map((_, i) => verdict(found[t][i]))]),
-    "underlined: caught; –: no verdict on so many words of so many bits");
+    "underlined: caught; –: the test’s approximation does not hold for this number of words, or for so few bits");
 }

@@ -16,14 +16,16 @@ carlo.experiment("mis", {
     m: { label: "mirror direction m", min: 0.3, max: 0.7, step: 0.01, value: 0.54 },
   },
   async run({ half, scale, m, seed }, view) {
-    const rows = carlo.call("6.curves", half, scale, m, 400);
+    // What is worth seeing: the light, and the lobe around the mirror direction.
+    const from = Math.max(0, Math.min(0.5 - 2 * half, m - 8 * scale)), to = Math.min(1, Math.max(0.5 + 2 * half, m + 8 * scale));
+    const rows = carlo.call("6.curves", half, scale, m, 400, from, to);
     const column = (k) => Array.from({ length: 400 }, (_, i) => rows[6 * i + k]);
     const x = column(0), f = column(1), exact = carlo.call("6.errors", half, scale, m, 0, 1, 1, seed)[2];
     const curve = (name, y) => ({ name, x, y });
-    view.plot("Integrand and densities", { kind: "functions", x: { label: "direction x", range: [0, 1] }, y: { label: "per unit of x" },
+    view.plot("Integrand and densities", { kind: "functions", x: { label: "direction x", range: [from, to] }, y: { label: "per unit of x" },
       series: [curve("f / integral", f.map((v) => v / exact)), curve("light", column(2)), curve("lobe", column(3))] });
-    view.plot("MIS weight of the light's samples", { kind: "functions", x: { label: "direction x", range: [0, 1] }, y: { label: "weight", range: [0, 1] },
-      series: [curve("balance", column(4)), curve("power", column(5))] }, "the lobe’s samples have what is missing from 1");
+    view.plot("MIS weight of the light's samples", { kind: "functions", x: { label: "direction x", range: [from, to] }, y: { label: "weight", range: [0, 1] },
+      series: [curve("balance", column(4)), curve("power", column(5))] }, "the weight of the lobe’s samples is 1 minus this");
     const methods = ways.map((name, way) => ({ name, theory: -0.5, sizes: sampleSizes,
       error: (n, runs) => carlo.call("6.errors", half, scale, m, way, n, runs, seed)[0] }));
     const fits = await view.ladder({ methods, xlabel: "samples N", ylabel: "relative RMS error",
@@ -31,7 +33,7 @@ carlo.experiment("mis", {
     view.slopes(methods, fits);
     const errors = ways.map((_, way) => carlo.call("6.errors", half, scale, m, way, 64, 400, seed)[0]);
     view.say(`With 64 samples the relative error is ${ways.map((name, i) => `${carlo.digits(errors[i])} (${name})`).join(", ")}. ` +
-      `A slope other than −1/2 is a sign of an infinite or barely finite variance.`);
+      `A slope other than −1/2 is a sign of an infinite or barely finite variance, unless there is no error but rounding.`);
   },
 });
 
@@ -41,10 +43,11 @@ carlo.experiment("plates", {
   question: "where are points of the lights noisier than directions of the lobe?",
   choices: ["small light, rough plate", "large light, smooth plate", "everywhere alike"],
   answer: "large light, smooth plate. Few points of a large light lie where a smooth plate reflects.",
+  asked: { size: 1, rough: 1 },
   controls: {
     n: { label: "samples a pixel", steps: [2, 4, 8, 16, 32, 64], value: 4 },
-    size: { label: "size of the lights", steps: [0.25, 0.5, 1, 2], value: 1, unit: "times" },
-    rough: { label: "roughness of the plates", steps: [0.25, 0.5, 1, 2, 4], value: 1, unit: "times" },
+    size: { label: "size of the lights", steps: [0.25, 0.5, 1, 2], value: 1, text: (x) => `× ${x}` },
+    rough: { label: "roughness of the plates", steps: [0.25, 0.5, 1, 2, 4], value: 1, text: (x) => `× ${x}` },
   },
   async run({ n, size, rough, seed }, view) {
     const columns = 240, rows = 14, gap = 3, sums = [0, 0, 0], truth = [];
@@ -103,6 +106,7 @@ carlo.experiment("tails", {
     view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [{ name: "measured", x: sizes, y: held }, { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     view.slopes([method], fits);
+    if (!variance) return view.say("The density is the integrand’s: every contribution is 1, and there is no error but rounding.");
     view.say(`σ² of one contribution: ${carlo.digits(variance)}${variance < Infinity ? " (25/((n + 1)(9 − n)) − 1)" : ""}. Contributions have a tail P(Y > y) ~ y<sup>−a</sup> with ` +
       `a = ${carlo.digits(index)}; where a is close to 2 a sample's variance is mostly in points that it has not drawn.`);
   },

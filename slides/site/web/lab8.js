@@ -22,7 +22,7 @@ carlo.experiment("tracer", {
   controls: {
     scene: { label: "scene", options: sceneNames, value: 0 },
     left: { label: "left", options: tracers, value: 1 },
-    right: { label: "right", options: tracers, value: 3 },
+    right: { label: "right", options: tracers, value: 2 },
     depth: { label: "longest path (8.8 only)", steps: [0, 1, 2, 3, 4, 6, 10], value: 0, text: (d) => (d ? `${d} segments` : "any length") },
     seconds: { label: "time for each", steps: [1, 2, 5, 10, 30, 120], value: 5, unit: "s" },
   },
@@ -72,13 +72,13 @@ carlo.experiment("tracer", {
 function drawSide(view, side, size, white) {
   const title = side.id ? "Right" : "Left", name = tracers[side.tracer];
   const canvas = view.image(title, carlo.call("8.image", side.id), size,
-    { white, note: `${name}, ${side.samples} samples a pixel <span class="pixel"></span>` });
+    { white, note: `${name}, ${side.samples} samples a pixel<br><span class="pixel">&nbsp;</span>` });
   canvas.tabIndex = 0;
   const show = (x, y) => {
     side.at = [Math.min(size - 1, Math.max(0, x)), Math.min(size - 1, Math.max(0, y))];
     const [n, mean, error] = carlo.call("8.pixel", side.id, ...side.at);
     canvas.closest("figure").querySelector(".pixel").textContent =
-      `Pixel (${side.at}): ${n} samples, ${carlo.digits(mean)} ± ${carlo.digits(error, 2)}`;
+      `Pixel (${side.at}): ${n} samples, ${carlo.digits(mean)} ± ${carlo.digits(1.96 * error, 2)}`;
   };
   if (side.at) show(...side.at);
   canvas.onpointermove = (e) => {
@@ -175,7 +175,7 @@ carlo.experiment("recap", {
     const exact = methods[0].points[0][2];
     methods.forEach(({ points, form }) => {
       const [mean, error, , printed, random] = points.at(-1);
-      rows.push([names[form], `${carlo.digits(mean)} ± ${carlo.digits(error, 2)}`, carlo.digits([printed, exact, random][form])]);
+      rows.push([names[form], `${carlo.digits(mean)} ± ${carlo.digits(1.96 * error, 2)}`, carlo.digits([printed, exact, random][form])]);
     });
     view.table("Radiance of the wall", ["", "measured", "closed form"], rows, `the truth: ${carlo.digits(exact)}`);
     const errors = methods.map(({ points }) => points.map(([mean]) => Math.abs(mean / exact - 1)));
@@ -184,7 +184,7 @@ carlo.experiment("recap", {
     view.plot("Error against seconds", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y: { label: "relative error, one run", log: true },
       series: methods.map(({ name, seconds }, i) => ({ name, x: seconds, y: errors[i] })) });
     const [, , , printed, random] = methods[0].points[0];
-    const times = (mean) => (mean < Infinity ? `has ${carlo.digits(mean / exact)} times the right radiance as its mean` : "has no finite mean: each bounce brings more than the one before");
+    const times = (mean) => (mean < Infinity ? `gives ${carlo.digits(mean / exact)} times the right radiance on average` : "has no finite mean: each bounce brings more than the one before");
     view.say(`The Recap as printed ${times(printed)}; a random direction, not divided by its density, ${times(random)}. No number of paths makes up for a wrong weight.`);
   },
 });

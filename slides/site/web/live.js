@@ -234,7 +234,7 @@ const carlo = (() => {
         this.drawLadder(found, names, methods, xlabel, ylabel);
       }
       return found.map(({ n, error }) => {
-        const good = n.map((x, i) => [x, error[i]]).filter(([, e]) => e > 0);
+        const good = n.map((x, i) => [x, error[i]]).filter(([, e]) => e > 1e-13);
         return good.length < 3 ? null : call("slope", ...good.map(([x]) => x), ...good.map(([, e]) => e));
       });
     }
@@ -254,7 +254,7 @@ const carlo = (() => {
     slopes(methods, fits) {
       this.table("Slopes of log error against log N", ["", "measured ± 95 %", "theory"],
         methods.map((method, i) => [escaped(curly(method.name)),
-          fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : "too few points",
+          fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : "no error but rounding",
           method.theory === undefined ? "" : digits(method.theory)]));
     }
   }
@@ -338,7 +338,8 @@ ${definition.asked ? '<button type="button" data-asked>Set the controls for this
         const guess = expected ? `You expected: ${expected.parentNode.textContent.trim()}. ` : "";
         const answer = document.createElement("span");
         answer.className = "answer";
-        answer.textContent = curly(`${guess}Answer: ${definition.answer}`);
+        const chosen = values(), asked = Object.entries(definition.asked ?? {}).every(([id, value]) => chosen[id] === value);
+        answer.textContent = curly(`${guess}${asked ? "Answer" : "Answer to the question, which is about other settings"}: ${definition.answer}`);
         status.append(answer);
         ended();
       } catch (error) {
