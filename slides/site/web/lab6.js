@@ -8,7 +8,7 @@ carlo.experiment("mis", {
   intro: "A plate reflects one light, on a line of directions. Either draw points of the light, or directions of the plate's lobe, or half of each with Veach and Guibas' weights (labs 6.6 and 6.7). The integral is known in closed form.",
   question: "a small light and a rough plate: which technique alone is better?",
   choices: ["points of the light", "directions of the lobe", "they are equal"],
-  answer: "points of the light. A direction of a wide lobe seldom meets a small light. With a large light and a smooth plate it is the other way round. With power weights the error stays close to that of the better technique, and you need not know which one that is; balance weights lose more where one technique is nearly perfect.",
+  answer: "points of the light. A direction of a wide lobe seldom meets a small light. With a large light and a smooth plate it is the other way round. With weights the error stays far below that of the worse technique, and you need not know which one that is; power weights lose less than balance weights where one technique is nearly perfect.",
   asked: { half: 0.003, scale: 0.03, m: 0.54 },
   controls: {
     half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.003 },
@@ -19,13 +19,14 @@ carlo.experiment("mis", {
     // What is worth seeing: the light, and the lobe around the mirror direction.
     const from = Math.max(0, Math.min(0.5 - 2 * half, m - 8 * scale)), to = Math.min(1, Math.max(0.5 + 2 * half, m + 8 * scale));
     const rows = carlo.call("6.curves", half, scale, m, 400, from, to);
-    const column = (k) => Array.from({ length: 400 }, (_, i) => rows[6 * i + k]);
-    const x = column(0), f = column(1), exact = carlo.call("6.errors", half, scale, m, 0, 1, 1, seed)[2];
+    const edges = [Math.max(0, 0.5 - 2 * half), Math.min(1, 0.5 + 2 * half)], near = carlo.call("6.curves", half, scale, m, 400, ...edges);
+    const column = (table, k) => Array.from({ length: 400 }, (_, i) => table[6 * i + k]);
+    const x = column(rows, 0), f = column(rows, 1), nearX = column(near, 0), exact = carlo.call("6.errors", half, scale, m, 0, 1, 1, seed)[2];
     const curve = (name, y) => ({ name, x, y });
     view.plot("Integrand and densities", { kind: "functions", x: { label: "direction x", range: [from, to] }, y: { label: "per unit of x" },
-      series: [curve("f / integral", f.map((v) => v / exact)), curve("light", column(2)), curve("lobe", column(3))] });
-    view.plot("MIS weight of the light's samples", { kind: "functions", x: { label: "direction x", range: [from, to] }, y: { label: "weight", range: [0, 1] },
-      series: [curve("balance", column(4)), curve("power", column(5))] }, "the weight of the lobe’s samples is 1 minus this");
+      series: [curve("f / integral", f.map((v) => v / exact)), curve("light", column(rows, 2)), curve("lobe", column(rows, 3))] });
+    view.plot("MIS weight of the light's samples", { kind: "functions", x: { label: "direction x, near the light", range: edges }, y: { label: "weight", range: [0, 1] },
+      series: [["balance", 4], ["power", 5]].map(([name, k]) => ({ name, x: nearX, y: column(near, k) })) }, "the weight of the lobe’s samples is 1 minus this");
     const methods = ways.map((name, way) => ({ name, theory: -0.5, sizes: sampleSizes,
       error: (n, runs) => carlo.call("6.errors", half, scale, m, way, n, runs, seed)[0] }));
     const fits = await view.ladder({ methods, xlabel: "samples N", ylabel: "relative RMS error",
@@ -95,6 +96,10 @@ carlo.experiment("tails", {
   async run({ n, runs, seed }, view) {
     const sizes = [16, 64, 256, 1024, 4096, 16384], held = [];
     const [, , , variance, index] = carlo.call("6.tails", n, 16, 1, seed);
+    if (!variance) {
+      view.box.replaceChildren();
+      return view.say("The density is the integrand’s: every contribution is 1, and there is no error but rounding.");
+    }
     const method = { name: "measured", sizes, theory: variance < Infinity ? -0.5 : undefined,
       error: (size, count) => {
         const found = carlo.call("6.tails", n, size, count, seed);
@@ -106,7 +111,6 @@ carlo.experiment("tails", {
     view.plot("Intervals that contain the integral", { x: { label: "points N", log: true, unit: "count" }, y: { label: "% of runs", range: [0, 100] },
       series: [{ name: "measured", x: sizes, y: held }, { name: "promised", guide: true, x: sizes, y: sizes.map(() => 95) }] });
     view.slopes([method], fits);
-    if (!variance) return view.say("The density is the integrand’s: every contribution is 1, and there is no error but rounding.");
     view.say(`σ² of one contribution: ${carlo.digits(variance)}${variance < Infinity ? " (25/((n + 1)(9 − n)) − 1)" : ""}. Contributions have a tail P(Y > y) ~ y<sup>−a</sup> with ` +
       `a = ${carlo.digits(index)}; where a is close to 2 a sample's variance is mostly in points that it has not drawn.`);
   },
