@@ -50,8 +50,11 @@ double student_share(double angle, std::size_t freedom) {
 
 double student_half_width(double confidence, std::size_t freedom) {
   double low = 0, high = std::numbers::pi / 2;
-  for (double middle = high / 2; low < middle && middle < high; middle = (low + high) / 2)
+  for (;;) {
+    const double middle = (low + high) / 2;
+    if (middle <= low || middle >= high) break;
     (student_share(middle, freedom) < confidence ? low : high) = middle;
+  }
   return std::sqrt(static_cast<double>(freedom)) * std::tan(low);
 }
 

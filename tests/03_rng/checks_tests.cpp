@@ -22,6 +22,24 @@ const Diagnosis by_counts{"divides-by-the-counts",
                           "the squares are divided by the counts, not by the expected values."};
 const Diagnosis not_divided{"squares-not-divided",
                             "the squares are not divided by the expected values."};
+const Diagnosis not_squared_differences{
+    "differences-not-squared", "the differences from the expected values are not squared."};
+const Diagnosis by_squares{"divided-by-squares",
+                           "the squares are divided by the expected values squared: divide by "
+                           "them once, for that is a count's variance."};
+const Diagnosis root_taken{"root-of-the-statistic",
+                           "this is the square root of the statistic: the distribution is that of "
+                           "the sum of squares itself."};
+const Diagnosis by_freedom{"divided-by-the-degrees",
+                           "the statistic is divided by the degrees of freedom, which the "
+                           "distribution takes into account."};
+const Diagnosis too_few_degrees{"too-few-degrees",
+                                "p is computed with two degrees of freedom fewer than there are "
+                                "counts: only their sum is given, so there is one fewer."};
+const Diagnosis two_sided{"two-sided-tail",
+                          "a tail is the two-sided p: each of the two is asked for by itself."};
+const Diagnosis by_bits{"expects-a-value-a-bit",
+                        "words of b bits have 2^b values, not b: each is expected N / 2^b times."};
 const Diagnosis tails_swapped{"tails-swapped", "the two tails are mixed up."};
 const Diagnosis tail_by_difference{"tail-by-difference",
                                    "a tail is computed as 1 minus the other one: values below "
@@ -44,13 +62,17 @@ double statistic_of(const Counts& counts, const Counts& expected) {
 
 /// The mistakes that explain a wrong tail, given the other tail.
 std::vector<Diagnosis> tail_diagnoses(double measured, double expected, double freedom_too_many,
-                                      double other_measured, double other_expected) {
+                                      double freedom_too_few, double other_measured,
+                                      double other_expected) {
   const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-9 * y; };
   if (is(measured, other_expected) && is(other_measured, expected)) return {tails_swapped};
   if (measured == 1) return {tail_not_set};
   if (is(measured, freedom_too_many)) return {freedom_of_cells};
-  const bool difference = std::abs(measured - (1 - other_measured)) <= 1e-15;
-  if (difference && is(other_measured, other_expected)) return {tail_by_difference};
+  if (is(measured, freedom_too_few)) return {too_few_degrees};
+  if (is(measured, 2 * std::min(expected, other_expected))) return {two_sided};
+  // Exactly: far out every wrong tail is near that difference, which is 0 or 1.
+  if (measured == 1 - other_measured && is(other_measured, other_expected))
+    return {tail_by_difference};
   return {};
 }
 
@@ -60,14 +82,20 @@ void judge_result(const std::string& what, const double* result, const Counts& c
                   const Counts& expected, const Suspects& more = {}) {
   const double x = statistic_of(counts, expected);
   Suspects suspects = more;
-  double plain = 0, neyman = 0;
+  double plain = 0, neyman = 0, unsquared = 0, by_expected_squared = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double square = (counts[i] - expected[i]) * (counts[i] - expected[i]);
     plain += square;
+    unsquared += std::abs(counts[i] - expected[i]) / expected[i];
+    by_expected_squared += square / (expected[i] * expected[i]);
     if (counts[i] > 0) neyman += square / counts[i];
   }
   suspects.push_back({neyman, by_counts});
   suspects.push_back({plain, not_divided});
+  suspects.push_back({unsquared, not_squared_differences});
+  suspects.push_back({by_expected_squared, by_squares});
+  suspects.push_back({std::sqrt(x), root_taken});
+  suspects.push_back({x / static_cast<double>(counts.size() - 1), by_freedom});
   Verdict statistic =
       equals("the statistic of " + what, result[0], x, 1e-11 * std::max(x, 1e-3), suspects);
   const bool empty = std::find(counts.begin(), counts.end(), 0.0) != counts.end();
@@ -82,12 +110,16 @@ void judge_result(const std::string& what, const double* result, const Counts& c
                                        carlo::chi_square_upper(x, freedom)};
   const std::array<double, 2> too_many = {carlo::chi_square_lower(x, freedom + 1),
                                           carlo::chi_square_upper(x, freedom + 1)};
+  // Two counts would leave none.
+  const double few = std::max(freedom - 1, 0.5);
+  const std::array<double, 2> too_few = {carlo::chi_square_lower(x, few),
+                                         carlo::chi_square_upper(x, few)};
   for (std::size_t side = 0; side < 2; ++side) {
     // Far out a tail changes by freedom / 2 times the relative change of the statistic.
     Verdict tail = equals((side == 0 ? "the lower tail of " : "the upper tail of ") + what,
                           result[1 + side], tails[side], 1e-9 * tails[side]);
     if (!tail.passed) {
-      tail.diagnoses = tail_diagnoses(result[1 + side], tails[side], too_many[side],
+      tail.diagnoses = tail_diagnoses(result[1 + side], tails[side], too_many[side], too_few[side],
                                       result[2 - side], tails[1 - side]);
     }
     judge(tail);
@@ -234,6 +266,7 @@ TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][
     Suspects suspects{{other(32 - lowest - bits), wrong_field}};
     if (lowest > 0) suspects.push_back({other(0), wrong_field});
     const Counts counts = field_counts(words, lowest, bits);
+    suspects.push_back({statistic_of(counts, Counts(cells, double(n) / bits)), by_bits});
     if (each >= 1 && each != std::floor(each)) {
       suspects.push_back({statistic_of(counts, rounded), whole_expectation});
     }

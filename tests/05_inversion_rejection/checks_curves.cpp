@@ -29,6 +29,12 @@ const Diagnosis divides_by_difference{
     "where f0 and f1 are equal or nearly so, dividing by f1 - f0 loses digits, or is 0/0."};
 const Diagnosis zero_by_zero{"zero-by-zero-at-u-0",
                              "with f0 = 0 the sample at u = 0 is 0/0: treat u = 0 separately."};
+const Diagnosis not_inverted{"u-not-inverted",
+                             "the sample is u, or u stretched to the support: that is uniform, "
+                             "whatever the density. Invert the CDF."};
+const Diagnosis one_half{"one-half-of-the-tent",
+                         "all samples lie on one side of 0: half of the u belong to the other "
+                         "side."};
 const Diagnosis half_tent{"tent-not-stretched",
                           "each half of [0, 1) has to be stretched to [0, 1) before it is used for "
                           "its side of the tent."};
@@ -241,6 +247,8 @@ TEST_CASE("Lab 5.2: linear samples are the inverse of the CDF, whatever the ends
     // min(1.0, NaN) is 1, min(NaN, 1.0) is NaN.
     const auto one_at_0 = [=](double u) { return u == 0 && c.p == 0 ? 1 : c.inverse(u); };
     std::vector<Alternative> alternatives{{naive, divides_by_difference}};
+    if (f0 != f1 && std::abs(f0 - f1) > 1e-12)
+      alternatives.push_back({[](double u) { return u; }, not_inverted});
     if (f0 == 0) {
       alternatives.push_back({nan_at_0, zero_by_zero});
       alternatives.push_back({one_at_0, zero_by_zero});
@@ -255,7 +263,8 @@ TEST_CASE("Lab 5.2: the linear density is right, and 0 outside [0, 1]", "[lab05]
     const auto raw = [f0 = f0, f1 = f1](double x) {
       return x < 0 || x > 1 ? 0 : (1 - x) * f0 + x * f1;
     };
-    std::vector<Alternative> alternatives{{raw, not_normalised}};
+    const auto half = [c = linear(f0, f1)](double x) { return c.pdf(x) / 2; };
+    std::vector<Alternative> alternatives{{raw, not_normalised}, {half, not_normalised}};
     if (f0 != f1) alternatives.push_back({linear(f1, f0).pdf, mirrored});
     judge_density(linear(f0, f1), alternatives);
   }
@@ -269,15 +278,21 @@ TEST_CASE("Lab 5.2: tent samples are the inverse of the CDF", "[lab05][ex2]") {
     const auto climbs = [=](double u) {
       return u < 0.5 ? r * (std::sqrt(2 * u) - 1) : r * std::sqrt(2 * u - 1);
     };
-    judge_inverse(tent(r), 0, 1e-14 * r, {{unstretched, half_tent}, {climbs, peaks_outside}});
+    judge_inverse(tent(r), 0, 1e-14 * r,
+                  {{unstretched, half_tent},
+                   {climbs, peaks_outside},
+                   {[=](double u) { return r * (2 * u - 1); }, not_inverted},
+                   {[=](double u) { return r * (1 - std::sqrt(1 - u)); }, one_half},
+                   {[=](double u) { return r * std::sqrt(u); }, one_half}});
   }
 }
 
 TEST_CASE("Lab 5.2: the tent density is right, and 0 outside", "[lab05][ex2]") {
   for (const double r : {1.0, 2.5, 1e-3}) {
     const auto raw = [=](double x) { return std::abs(x) > r ? 0 : 1 - std::abs(x) / r; };
+    const auto times = [=](double x) { return r * raw(x); };
     std::vector<Alternative> alternatives;
-    if (r != 1) alternatives.push_back({raw, not_normalised});
+    if (r != 1) alternatives = {{raw, not_normalised}, {times, not_normalised}};
     judge_density(tent(r), alternatives);
   }
 }

@@ -51,6 +51,15 @@ const Diagnosis sum_overflows{"sum-overflows",
                               "finite weights may have an infinite sum, and dividing by it gives "
                               "no probabilities: check the sum as well."};
 
+const Diagnosis sums_not_divided{"sums-not-divided-by-the-last",
+                                 "the sums are not divided by the last one, the sum of all "
+                                 "weights: the CDF does not end at 1."};
+const Diagnosis weights_not_used{"weights-not-used",
+                                 "all numbers have the same share, whatever their weights."};
+const Diagnosis fraction_missing{"fraction-missing",
+                                 "the fraction is 0 for every u: it says where u lies in the "
+                                 "number's part of [0, 1)."};
+
 /// True if all numbers drawn are off by one, on the same side, where there is a neighbour.
 bool draws_next_number(const std::vector<double>& u, const Rows& rows,
                        const std::vector<double>& cdf) {
@@ -120,6 +129,32 @@ bool probabilities_by_float() {
   return off && near;
 }
 
+/// True if the numbers drawn are those of equal weights.
+bool draws_uniformly(const std::vector<double>& u, const Rows& rows, std::size_t weights) {
+  const double n = number(weights);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (rows.at(i, 0) != std::min(std::floor(u[i] * n), n - 1)) return false;
+  return weights > 1;
+}
+
+/// True if these are the right probabilities times a factor other than 1.
+bool proportional(const std::vector<double>& found, const std::vector<double>& expected) {
+  const auto first = std::find_if(expected.begin(), expected.end(), [](double p) { return p > 0; });
+  const double factor = found[static_cast<std::size_t>(first - expected.begin())] / *first;
+  if (!(std::isfinite(factor) && std::abs(factor - 1) > 1e-9 && factor > 0)) return false;
+  return std::equal(found.begin(), found.end(), expected.begin(), [&](double a, double b) {
+    return std::abs(a - factor * b) <= 1e-9 * factor * b;
+  });
+}
+
+/// The same of the probabilities that the table itself gives.
+bool proportional(Weights kind) {
+  const std::vector<double> expected = probabilities(weights_of(kind));
+  const Rows rows = probe("Lab 5.4 probabilities", params_of(kind),
+                          {.rows = expected.size(), .finite = false, .of = name_of(kind)});
+  return proportional(rows.values, expected);
+}
+
 /// The mistakes that explain a wrong number. `all_off`: all are off by one; `zero`: it has weight
 /// 0.
 std::vector<Diagnosis> signs_of_pick(double u, double index, const std::vector<double>& cdf,
@@ -138,7 +173,7 @@ void judge_picks(Weights kind) {
                           {.rows = u.size(), .columns = 2, .finite = false, .of = name});
   const bool all_off = draws_next_number(u, rows, cdf);
   double worst = 0;
-  bool below_one = true, up_to_one = true, all_spent = true, all_raw = true;
+  bool below_one = true, up_to_one = true, all_spent = true, all_raw = true, all_zero = true;
   for (std::size_t i = 0; i < u.size(); ++i) {
     const Place place = place_of(u[i], cdf);
     const double index = rows.at(i, 0), fraction = rows.at(i, 1);
@@ -153,6 +188,10 @@ void judge_picks(Weights kind) {
         else if (draws_by_float(u, rows, cdf))
           signs = {float_u};
       }
+      if (draws_uniformly(u, rows, weights.size()))
+        signs = {weights_not_used};
+      else if (proportional(kind))
+        signs = {sums_not_divided};
       judge(holds(fmt::format("the number drawn from {} with u = {:.17g}", name, u[i]), false,
                   fmt::format("{:g}", index), fmt::format("{:g}", place.index), signs));
       return;
@@ -164,6 +203,7 @@ void judge_picks(Weights kind) {
     const double distance = std::abs(fraction - place.fraction);
     worst = std::max(worst, distance <= slack ? 0 : std::isnan(distance) ? 1 : distance);
     all_spent = all_spent && fraction == u[i];
+    all_zero = all_zero && fraction == 0;
     all_raw = all_raw && std::abs(fraction - (u[i] - place.before)) <= 1e-15;
   }
   judge(holds("the numbers drawn from " + name, true, "right", "right"));
@@ -175,6 +215,8 @@ void judge_picks(Weights kind) {
                         : std::vector<Diagnosis>{}));
   Verdict verdict = equals("the largest error of a fraction, " + name, worst, 0, 0);
   if (!verdict.passed && all_spent) verdict.diagnoses.push_back(spent);
+  if (!verdict.passed && all_zero && weights.size() > 1)
+    verdict.diagnoses.push_back(fraction_missing);
   if (!verdict.passed && all_raw) verdict.diagnoses.push_back(not_stretched);
   if (!verdict.passed && of_next) verdict.diagnoses.push_back(next_number);
   judge(verdict);
@@ -193,8 +235,9 @@ bool of_next_number(const std::vector<double>& found, const std::vector<double>&
 /// and by less than a few times their size.
 bool drifts(const std::vector<double>& found) {
   const auto off = [](double p) { return std::abs(p - 1e-7) > 1e-10 && std::abs(p) < 1e-6; };
-  return 2 * std::count_if(found.begin(), found.end(), off) >
-         static_cast<std::ptrdiff_t>(found.size());
+  const auto [least, most] = std::minmax_element(found.begin(), found.end());
+  return *most > *least * (1 + 1e-6) && 2 * std::count_if(found.begin(), found.end(), off) >
+                                            static_cast<std::ptrdiff_t>(found.size());
 }
 
 }  // namespace
@@ -216,6 +259,10 @@ TEST_CASE("Lab 5.4: probabilities are the weights' shares", "[lab05][ex4]") {
                                  [](double a, double b) { return std::abs(a - b) <= 1e-9; });
     std::vector<Diagnosis> diagnoses;
     if (sums) diagnoses.push_back(cumulative);
+    if (proportional(rows.values, expected)) diagnoses.push_back(sums_not_divided);
+    const auto equal = [&](double p) { return std::abs(p * number(expected.size()) - 1) <= 1e-9; };
+    if (std::all_of(rows.values.begin(), rows.values.end(), equal))
+      diagnoses.push_back(weights_not_used);
     if (of_next_number(rows.values, expected)) diagnoses.push_back(next_number);
     if (kind == Weights::rare && diagnoses.empty() && probabilities_by_float())
       diagnoses.push_back(float_cdf);

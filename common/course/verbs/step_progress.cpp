@@ -15,7 +15,7 @@ namespace {
 /// a guess; "..." before the number of steps is known.
 std::string in_words(const Step& step, int seconds) {
   if (step.total == 0) return "...";
-  const std::string text = joined({std::to_string(step.done), "/", std::to_string(step.total)});
+  std::string text = joined({std::to_string(step.done), "/", std::to_string(step.total)});
   if (seconds < 3 || step.done < 5 || step.done == step.total) return text;
   const int left = seconds * (step.total - step.done) / step.done;
   if (left < 90) return joined({text, ", about ", std::to_string(left / 10 * 10 + 10), " s left"});
