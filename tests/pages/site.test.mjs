@@ -49,7 +49,7 @@ const finished = (page, id) =>
 // library, which is musl's here and glibc's there. Where a last digit decides a path, or the split of a stratum,
 // otherwise, what follows differs altogether: of these the mean is compared.
 const bits = /^(2\.(places|deviations)|3\.(triples|spectral|spectral_plane|integral)|8\.(start|rows)|scene\.add)$/;
-const statistical = /^4\.(recursive|boxes)$|^8\.(image|noise|furnace|recap)$|^9\./;
+const statistical = /^4\.(recursive|boxes)$|^8\.(image|noise|deviation|furnace|recap)$|^9\./;
 
 function differences(log) {
   const lines = log.map(({ name, numbers }) => `${name} ${numbers.join(" ")}`).join("\n");

@@ -11,13 +11,15 @@
 namespace carlo::verbs {
 namespace {
 
-/// Returns "3/10, about 3 min left" after that many seconds, without the estimate while it would be
-/// a guess; "..." before the number of steps is known.
-std::string in_words(const Step& step, int seconds) {
+/// Returns "3/10, about 3 min left" after that many seconds, of which `waited` since the last step;
+/// without the estimate while it would be a guess, or where one step takes longer than it; "..."
+/// before the number of steps is known.
+std::string in_words(const Step& step, int seconds, int waited) {
   if (step.total == 0) return "...";
   std::string text = joined({std::to_string(step.done), "/", std::to_string(step.total)});
   if (seconds < 3 || step.done < 5 || step.done == step.total) return text;
   const int left = seconds * (step.total - step.done) / step.done;
+  if (waited > left) return text;
   if (left < 90) return joined({text, ", about ", std::to_string(left / 10 * 10 + 10), " s left"});
   return joined({text, ", about ", std::to_string((left + 30) / 60), " min left"});
 }
@@ -39,14 +41,17 @@ StepProgress::StepProgress(std::string doing)
 
 void StepProgress::report(const Step& step) {
   step_ = step;
+  last_step_ = Clock::now();
   show();
 }
 
 void StepProgress::show() {
   const auto now = Clock::now();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
-  const std::string text =
-      joined({"carlo: ", doing_, " ", in_words(step_, static_cast<int>(seconds))});
+  const auto seconds_since = [&](Clock::time_point then) {
+    return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(now - then).count());
+  };
+  const std::string text = joined(
+      {"carlo: ", doing_, " ", in_words(step_, seconds_since(start_), seconds_since(last_step_))});
   if (terminal_) {
     shown_ = true;
     say({"\r\x1b[K", text});

@@ -33,7 +33,7 @@ class StepProgress {
   std::string doing_;
   bool terminal_, shown_ = false;
   Step step_;
-  Clock::time_point start_ = Clock::now(), last_line_ = start_;
+  Clock::time_point start_ = Clock::now(), last_line_ = start_, last_step_ = start_;
 };
 
 }  // namespace carlo::verbs

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "random/rng.h"
+#include "support/error.h"
 
 #include <cmath>
 #include <cstdint>
@@ -16,18 +17,22 @@ namespace site {
 
 using Numbers = std::vector<double>;
 
-/// The arguments of a call. Indices and ranges are the page's responsibility.
+/// The arguments of a call. Indices into the results of earlier calls and ranges are the page's
+/// responsibility; an argument that is missing throws carlo::Error.
 class Arguments {
  public:
   explicit Arguments(std::span<const double> numbers) : numbers_(numbers) {}
-  double operator[](std::size_t i) const { return numbers_[i]; }
-  std::int64_t whole(std::size_t i) const { return static_cast<std::int64_t>(numbers_[i]); }
-  std::size_t index(std::size_t i) const { return static_cast<std::size_t>(numbers_[i]); }
+  double operator[](std::size_t i) const {
+    if (i >= numbers_.size()) throw carlo::Error("a call lacks its argument {}", i);
+    return numbers_[i];
+  }
+  std::int64_t whole(std::size_t i) const { return static_cast<std::int64_t>((*this)[i]); }
+  std::size_t index(std::size_t i) const { return static_cast<std::size_t>((*this)[i]); }
   /// A generator from a seed, a whole number in [0, 2^53], and another argument: runs of different
   /// sizes share no numbers.
   carlo::Rng rng(std::size_t seed, std::size_t stream) const {
-    return carlo::Rng(static_cast<std::uint64_t>(numbers_[seed]),
-                      static_cast<std::uint64_t>(numbers_[stream]));
+    return carlo::Rng(static_cast<std::uint64_t>((*this)[seed]),
+                      static_cast<std::uint64_t>((*this)[stream]));
   }
   std::span<const double> from(std::size_t i) const { return numbers_.subspan(i); }
 

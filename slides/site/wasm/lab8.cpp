@@ -147,6 +147,19 @@ Numbers noise(const Arguments& given) {
   return results;
 }
 
+/// render: the mean luminance, and the root mean square of the pixels' standard errors.
+Numbers deviation(const Arguments& given) {
+  double sum = 0, squares = 0;
+  const Render& render = render_of(given);
+  for (const Render::Pixel& pixel : render.pixels) {
+    sum += pixel.luminance.mean();
+    const double error = pixel.luminance.count() < 2 ? 0 : pixel.luminance.error();
+    squares += error * error;
+  }
+  const auto count = static_cast<double>(render.pixels.size());
+  return {sum / count, std::sqrt(squares / count)};
+}
+
 /// render, x, y: samples, mean luminance and its standard error.
 Numbers pixel(const Arguments& given) {
   const Render& render = render_of(given);
@@ -217,14 +230,12 @@ Numbers recap(const Arguments& given) {
   return {mean.mean(), mean.error(), room.exact(), room.recap_mean(), room.random_direction_mean()};
 }
 
-const Function functions[] = {{"8.start", start},
-                              {"8.rows", rows},
-                              {"8.image", image},
-                              {"8.noise", noise},
-                              {"8.pixel", pixel},
-                              {"8.furnace", furnace_runs},
-                              {"8.furnace_deviations", furnace_deviations},
-                              {"8.recap", recap}};
+const Function functions[] = {
+    {"8.start", start},          {"8.rows", rows},
+    {"8.image", image},          {"8.noise", noise},
+    {"8.deviation", deviation},  {"8.pixel", pixel},
+    {"8.furnace", furnace_runs}, {"8.furnace_deviations", furnace_deviations},
+    {"8.recap", recap}};
 
 }  // namespace
 }  // namespace site

@@ -91,7 +91,7 @@ carlo.experiment("photons", {
     const y = { label: "relative difference", log: true };
     view.plot("Difference to the paths' image", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y, series: series(0) });
     view.plot("The same against passes", { x: { label: "passes N", log: true, unit: "count" }, y, series: series(1) });
-    const [level, noise] = carlo.call("8.noise", 0);
+    const [level, noise] = carlo.call("8.deviation", 0);
     view.say(`${ways.map((way) => `${way.title}: ${way.passes} ${way.id < 2 ? "passes" : "samples a pixel"}`).join(", ")}. ` +
       `The difference to the image by paths holds the paths' own noise too, ${carlo.digits(100 * noise / level)} % of the mean luminance.`);
   },
