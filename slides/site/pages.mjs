@@ -134,7 +134,7 @@ ${escaped(lab.title)}</a></li>`).join("\n");
 ${context.decks.size ? `<p>The slides:</p><ul>${decksOf(context, (deck) => context.decks.has(`${deck.name}.html`))}</ul>` : ""}</section>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas, and experiments that run in your browser on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
-<section><h2>How fast, how accurate</h2>${html(part("A Cornell box of 256", "\n\n"))}
+<section><h2>How fast, how accurate</h2>${html(part("## How fast, how accurate", "    ./carlo bench\n").replace(/^## .*/, ""))}
 <p><a href="gallery.html">See each scene</a> with its noise, its error against time and the other renderers’ times.</p></section>`,
   });
 }

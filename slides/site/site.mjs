@@ -99,7 +99,8 @@ function sourceOf() {
   const git = (...words) => spawnSync("git", ["-C", root, ...words], { encoding: "utf8" }).stdout?.trim() ?? "";
   const { GITHUB_SERVER_URL: server, GITHUB_REPOSITORY: name } = process.env;
   const address = server && name ? `${server}/${name}` : git("remote", "get-url", "origin").replace(/\.git$/, "");
-  return { address: /^https:\/\/[^@]+$/.test(address) ? address : "", commit: git("log", "-1", "--format=%h of %cs") };
+  return { address: /^https:\/\/[^@]+$/.test(address) ? address : "", commit: git("log", "-1", "--format=%h of %cs") +
+    (git("status", "--porcelain") && ", with changes") };
 }
 
 function main([programs, out]) {

@@ -17,7 +17,7 @@ carlo.experiment("curse", {
   question: "for the smooth integrand: from which dimension on does Monte Carlo's error fall faster than the midpoint rule's?",
   choices: ["2", "3", "5", "9", "never"],
   answer: "5. (Its slope, not yet its error: with few points the rule may be ahead.) The rule's slope −2/d is flatter than −1/2 from there on; at d = 4 the two are equal.",
-  asked: { d: 5, f: 0, rule: 0 },
+  asked: { d: 6, f: 0, rule: 0 },
   controls: {
     d: { label: "dimensions d", min: 1, max: 10, step: 1, value: 6 },
     f: { label: "integrand", options: ["exp(x₁ + … + x_d)", "1 in the unit ball, else 0"], value: 0 },

@@ -235,6 +235,8 @@ const carlo = (() => {
       }
       return found.map(({ n, error }) => {
         const good = n.map((x, i) => [x, error[i]]).filter(([, e]) => e > 1e-13);
+        // Nothing but rounding is no error of the method; null: too few points.
+        if (n.length > 2 && !good.length) return undefined;
         return good.length < 3 ? null : call("slope", ...good.map(([x]) => x), ...good.map(([, e]) => e));
       });
     }
@@ -254,7 +256,7 @@ const carlo = (() => {
     slopes(methods, fits) {
       this.table("Slopes of log error against log N", ["", "measured ± 95 %", "theory"],
         methods.map((method, i) => [escaped(curly(method.name)),
-          fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : "no error but rounding",
+          fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : fits[i] === null ? "too few points" : "no error but rounding",
           method.theory === undefined ? "" : digits(method.theory)]));
     }
   }
