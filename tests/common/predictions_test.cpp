@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,7 +17,6 @@
 
 namespace fs = std::filesystem;
 using namespace carlo;
-using nlohmann::json;
 
 namespace {
 
@@ -66,10 +67,21 @@ std::string asked(Predictions& predictions, std::vector<std::string> lines, bool
   return said;
 }
 
-const json tables{{"slopes",
-                   {{{"method", "dice"}, {"slope", -1.0}, {"error", 0.25}},
-                    {{"method", "rule"}, {"slope", -2.0}, {"error", 0.5}},
-                    {{"method", "dice"}, {"slope", -0.5}, {"error", 0.25}}}}};
+Results some_results() {
+  Table slopes({"method", "slope", "error"});
+  slopes.add_row({"dice", -1.0, 0.25});
+  slopes.add_row({"rule", -2.0, 0.5});
+  slopes.add_row({"dice", -0.5, 0.25});
+  return {{{"slopes", slopes}}};
+}
+
+/// Column `column` of a row of what was predicted.
+const Cell& cell(const Table& table, std::size_t row, const std::string& column) {
+  const auto& keys = table.keys();
+  const auto found = std::find(keys.begin(), keys.end(), column);
+  REQUIRE(found != keys.end());
+  return table.rows().at(row).at(static_cast<std::size_t>(found - keys.begin()));
+}
 
 }  // namespace
 
@@ -85,17 +97,17 @@ TEST_CASE("a prediction is asked for once, of what is written, and shown beside 
   }
   Predictions again(tree.root(), 1);
   CHECK(asked(again, {"7"}).empty());
-  const json shown = again.table(tables).json();
-  REQUIRE(shown.size() == 1);
-  CHECK(shown[0]["predicted"] == -1.0 / 3);
-  CHECK(shown[0]["result"] == -0.5);  // the last row that fits
+  const Table shown = again.table(some_results());
+  REQUIRE(shown.rows().size() == 1);
+  CHECK(cell(shown, 0, "predicted").value == -1.0 / 3);
+  CHECK(cell(shown, 0, "result").value == -0.5);  // the last row that fits
   tree.finish();
   Predictions later(tree.root(), 1);
   CHECK(has(asked(later, {"3", "1"}), "a number from 1 to 2"));
-  const json both = later.table(tables).json();
-  REQUIRE(both.size() == 2);
-  CHECK(both[1]["predicted"] == "dice");
-  CHECK(both[1]["result"] == "rule");
+  const Table both = later.table(some_results());
+  REQUIRE(both.rows().size() == 2);
+  CHECK(cell(both, 1, "predicted").text == "dice");
+  CHECK(cell(both, 1, "result").text == "rule");
 }
 
 TEST_CASE("Enter skips a question for good; the input's end only for now", "[predictions]") {
@@ -107,42 +119,42 @@ TEST_CASE("Enter skips a question for good; the input's end only for now", "[pre
   }
   Predictions again(tree.root(), 1);
   CHECK(asked(again, {"1"}).empty());
-  CHECK(again.table(tables).rows().empty());
+  CHECK(again.table(some_results()).rows().empty());
 }
 
 TEST_CASE("experiments that were left out have no result", "[predictions]") {
   const PredictionTree tree;
   Predictions predictions(tree.root(), 1);
   (void)asked(predictions, {"-0.5"});
-  CHECK(predictions.table(json::object()).rows().empty());
-  CHECK(predictions.table({{"slopes", json::array()}}).rows().empty());
+  CHECK(predictions.table({}).rows().empty());
+  CHECK(predictions.table({{{"slopes", Table({"method"})}}}).rows().empty());
 }
 
 TEST_CASE("numbers as people type them; a ratio of two rows", "[predictions]") {
   Question question;
-  question.where = {{"experiment", "slopes"},
-                    {"row", {{"method", "rule"}}},
-                    {"over", {{"method", "dice"}}},
-                    {"value", "error"}};
-  CHECK(question.answer(tables) == 2.0);
-  CHECK(question.read(" -1/2 ") == -0.5);
-  CHECK(question.read("\u22121.5e1") == -15);
-  CHECK(question.read("+3") == 3);
+  question.experiment = "slopes";
+  question.row["method"] = "rule";
+  question.over.emplace()["method"] = "dice";
+  question.column = "error";
+  CHECK(question.answer(some_results()) == JsonScalar(2.0));
+  CHECK(question.read(" -1/2 ") == JsonScalar(-0.5));
+  CHECK(question.read("\u22121.5e1") == JsonScalar(-15.0));
+  CHECK(question.read("+3") == JsonScalar(3.0));
   for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf", "%", "3 %%", "95 %"})
-    CHECK(question.read(no).is_null());
+    CHECK(question.read(no) == JsonScalar());
 }
 
 TEST_CASE("a share is typed with or without its percent sign, and shown with it", "[predictions]") {
   Question question;
   question.share = true;
   for (const char* typed : {"95 %", "95%", ".95", "0.95", "95", "+95 %", "19/20"})
-    CHECK(question.read(typed) == 0.95);
-  CHECK(question.read("1 %") == 0.01);
-  CHECK(question.read("0.5 %") == 0.005);
-  CHECK(question.read("1") == 1);
-  CHECK(question.read("100") == 1);
+    CHECK(question.read(typed) == JsonScalar(0.95));
+  CHECK(question.read("1 %") == JsonScalar(0.01));
+  CHECK(question.read("0.5 %") == JsonScalar(0.005));
+  CHECK(question.read("1") == JsonScalar(1.0));
+  CHECK(question.read("100") == JsonScalar(1.0));
   for (const char* no : {"-5 %", "101 %", "250", "many", "%"})
-    CHECK(question.read(no).is_null());
+    CHECK(question.read(no) == JsonScalar());
   CHECK(question.shown(0.95) == "95 %");
   CHECK(question.shown(1.0 / 3) == "33.3 %");
 }
@@ -157,9 +169,9 @@ TEST_CASE("asked again, Enter leaves what was predicted before", "[predictions]"
     CHECK(has(said, "Enter leaves it at -1"));
   }
   Predictions later(tree.root(), 1);
-  CHECK(later.table(tables).json()[0]["predicted"] == -1);
+  CHECK(cell(later.table(some_results()), 0, "predicted").value == -1.0);
   CHECK(has(asked(later, {"-1/2"}, true), "Which slope?"));
-  CHECK(later.table(tables).json()[0]["predicted"] == -0.5);
+  CHECK(cell(later.table(some_results()), 0, "predicted").value == -0.5);
 }
 
 TEST_CASE("a question that lab.json asks badly is an error that names the exercise",

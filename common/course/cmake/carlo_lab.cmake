@@ -243,7 +243,7 @@ function(add_lab folder name)
   if(experiments)
     carlo_lab_part(${lab}_experiments ${folder} SOURCES ${experiments}
                    DEPENDS ${uses} ${ARG_EXPERIMENTS} carlo::cli carlo::course carlo::stats
-                           carlo::report nlohmann_json::nlohmann_json)
+                           carlo::report)
     file(GLOB web_files CONFIGURE_DEPENDS "${here}/*.css")
     if(web_files)
       carlo_embed(${lab}_experiments ${web_files})

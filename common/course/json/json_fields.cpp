@@ -131,6 +131,23 @@ void JsonFields::operator()(const char* name, std::string& value) {
   value = found.get_ref<const std::string&>();
 }
 
+void JsonFields::operator()(const char* name, JsonScalar& value) {
+  json& found = member(name);
+  if (!reading_) {
+    found = nullptr;
+    if (auto* text = std::get_if<std::string>(&value)) (*this)(name, *text);
+    if (auto* number = std::get_if<double>(&value)) (*this)(name, *number);
+  } else if (found.is_string()) {
+    value = found.get_ref<const std::string&>();
+  } else if (found.is_number()) {
+    value = found.get<double>();
+  } else if (found.is_null()) {
+    value = {};
+  } else {
+    fail(fmt::format("\"{}\" must be a text, a number or null, got {}", name, shown(found)));
+  }
+}
+
 void JsonFields::operator()(const char* name, std::vector<double>& list) {
   list.resize(begin_list(name, list.size()));
   json& found = member(name);

@@ -8,9 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace carlo {
+
+/// A text or a number; neither for null.
+using JsonScalar = std::variant<std::monostate, std::string, double>;
 
 /// An object of a JSON document that is written or read. A type names its members once, for both:
 ///
@@ -35,6 +39,7 @@ class JsonFields {
   void operator()(const char* name, double& value);
   /// Invalid UTF-8 is written as U+FFFD.
   void operator()(const char* name, std::string& value);
+  void operator()(const char* name, JsonScalar& value);
   void operator()(const char* name, std::vector<double>& list);
   void operator()(const char* name, std::vector<std::string>& list);
 
@@ -58,11 +63,17 @@ class JsonFields {
   template <class T>
   void operator()(const char* name, std::map<std::string, T>& members) {
     JsonFields inner = object(name);
+    inner.all(members);
+  }
+
+  /// All members of this object, whatever their names.
+  template <class T>
+  void all(std::map<std::string, T>& members) {
     if (reading_) members.clear();
-    for (const std::string& key : inner.names())
+    for (const std::string& key : names())
       members[key];
     for (auto& [key, value] : members)
-      inner(key.c_str(), value);
+      (*this)(key.c_str(), value);
   }
 
   /// A member that may be missing.

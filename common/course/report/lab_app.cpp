@@ -5,6 +5,7 @@
 #include "course/cli/wrap.h"
 #include "course/guide/own_files.h"
 #include "course/guide/verdicts.h"
+#include "course/json/json_fields.h"
 #include "course/report/crash_note.h"
 #include "course/report/machine.h"
 #include "course/report/page.h"
@@ -180,16 +181,26 @@ std::string left_out_text(const std::set<std::string>& tags) {
   return fmt::format("Left out, as not implemented yet: {}", fmt::join(tags, ", "));
 }
 
-nlohmann::json results(const LabApp& lab, const Notebook& notebook, double seconds) {
-  return {{"lab", lab.number},
-          {"n", notebook.options().n},
-          {"seed", std::to_string(notebook.options().seed)},
-          {"quick", notebook.options().quick},
-          {"machine", machine_text()},
-          {"compiler", compiler_text()},
-          {"seconds", seconds},
-          {"left_out", notebook.left_out()},
-          {"tables", notebook.results()}};
+/// What --json writes.
+struct Record {
+  const LabApp& lab;
+  const Notebook& notebook;
+  double seconds;
+};
+
+void fields(JsonFields& json, Record& record) {
+  const LabOptions& options = record.notebook.options();
+  const std::set<std::string>& left_out = record.notebook.left_out();
+  Results results = record.notebook.results();
+  json.also("lab", record.lab.number);
+  json.also("n", static_cast<unsigned long>(options.n));
+  json.also("seed", std::to_string(options.seed));
+  json.also("quick", options.quick);
+  json.also("machine", machine_text());
+  json.also("compiler", compiler_text());
+  json.also("seconds", record.seconds);
+  json.also("left_out", std::vector<std::string>(left_out.begin(), left_out.end()));
+  json("tables", results);
 }
 
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
@@ -220,7 +231,7 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
     fmt::print("{}\n", wrapped(coloured(Colour::yellow, left_out_text(notebook.left_out()))));
   }
   if (!arguments.json.empty()) {
-    write_file(arguments.json, results(lab, notebook, seconds).dump(2) + "\n");
+    write_file(arguments.json, json_text(Record{lab, notebook, seconds}, 2) + "\n");
   }
   fmt::print("{:.1f} s in all.\n", seconds);
   if (!arguments.no_page) {

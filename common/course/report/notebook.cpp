@@ -5,7 +5,6 @@
 #include "support/terminal.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <utility>
@@ -13,12 +12,7 @@
 namespace carlo {
 
 Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
-    : options_(options),
-      page_(page),
-      bar_(std::move(label), true),
-      results_(std::make_unique<nlohmann::json>(nlohmann::json::object())) {}
-
-Notebook::~Notebook() = default;
+    : options_(options), page_(page), bar_(std::move(label), true) {}
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();
@@ -54,7 +48,7 @@ void Notebook::numbers(const std::string& key, const Table& table, std::string_v
 
 void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
   fold(table, caption);
-  (*results_)[key] = table.json();
+  results_.tables.insert_or_assign(key, table);
 }
 
 void Notebook::fold(const Table& table, std::string_view caption) {
@@ -67,7 +61,7 @@ void Notebook::print_table(const std::string& key, const Table& table, std::stri
   bar_.clear();
   fmt::print("{}:\n{}\n", wrapped(std::string(caption)), table.text());
   (void)std::fflush(stdout);
-  (*results_)[key] = table.json();
+  results_.tables.insert_or_assign(key, table);
 }
 
 void Notebook::leave_out(const NotImplemented& missing) {

@@ -2,14 +2,12 @@
 
 #include "course/not_implemented.h"
 #include "course/report/page.h"
+#include "course/report/results.h"
 #include "course/report/table.h"
 #include "random/rng.h"
 #include "support/progress.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
-#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,7 +27,6 @@ struct LabOptions {
 class Notebook {
  public:
   Notebook(std::string label, const LabOptions& options, Page& page);
-  ~Notebook();
 
   const LabOptions& options() const { return options_; }
 
@@ -81,7 +78,7 @@ class Notebook {
   /// The tags of exercises that were left out, for the last lines of the run; and everything
   /// measured.
   const std::set<std::string>& left_out() const { return left_out_; }
-  const nlohmann::json& results() const { return *results_; }
+  const Results& results() const { return results_; }
 
  private:
   void leave_out(const NotImplemented& missing);
@@ -91,7 +88,7 @@ class Notebook {
   LabOptions options_;
   Page& page_;
   Progress bar_;
-  std::unique_ptr<nlohmann::json> results_;
+  Results results_;
   std::set<std::string> left_out_;
   std::set<std::string> left_out_here_;
   std::uint64_t next_stream_ = 0;

@@ -15,26 +15,39 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
-bool same(const json& cell, const json& wanted) {
-  if (!wanted.is_number()) return cell == wanted;
-  return cell.is_number() && cell.get<double>() == wanted.get<double>();
+bool is_nothing(const JsonScalar& value) {
+  return std::holds_alternative<std::monostate>(value);
 }
 
-bool fits(const json& row, const json& wanted) {
-  return std::all_of(wanted.items().begin(), wanted.items().end(), [&](const auto& column) {
-    return row.contains(column.key()) && same(row.at(column.key()), column.value());
+bool same(const Cell& cell, const JsonScalar& wanted) {
+  if (const auto* number = std::get_if<double>(&wanted)) return cell.value == *number;
+  const auto* text = std::get_if<std::string>(&wanted);
+  return text != nullptr && !cell.value && cell.text == *text;
+}
+
+/// Returns the row's cell in a column; null if the table has no such column.
+const Cell* cell_in(const Table& table, const std::vector<Cell>& row, const std::string& column) {
+  const std::vector<std::string>& keys = table.keys();
+  const auto found = std::find(keys.begin(), keys.end(), column);
+  return found == keys.end() ? nullptr : &row[static_cast<std::size_t>(found - keys.begin())];
+}
+
+bool fits(const Table& table, const std::vector<Cell>& row, const Where& wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const auto& column) {
+    const Cell* cell = cell_in(table, row, column.first);
+    return cell != nullptr && same(*cell, column.second);
   });
 }
 
-/// Returns the value in the last row that matches; null if there is none.
-json value_at(const json& rows, const json& wanted, const std::string& column) {
-  json value;
-  for (const json& row : rows) {
-    if (fits(row, wanted) && row.contains(column)) value = row.at(column);
+/// Returns the value in the last row that matches, if it is a finite number.
+std::optional<double> value_at(const Table& table, const Where& wanted, const std::string& column) {
+  std::optional<double> value;
+  for (const std::vector<Cell>& row : table.rows()) {
+    const Cell* cell = cell_in(table, row, column);
+    if (cell != nullptr && fits(table, row, wanted)) value = cell->value;
   }
-  return value.is_number() ? value : json();
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -72,36 +85,59 @@ std::optional<double> value_in(std::string_view text) {
   return percent ? *value / 100 : *value;
 }
 
-Question question_of(const Exercise& exercise, const json& where) {
-  const auto fail = [&](const char* what) {
-    throw Error("{}: \"predict\" in lab.json {}", exercise.tag, what);
-  };
-  try {
-    Question question;
-    question.exercise = exercise.number();
-    question.text = where.at("question").get<std::string>();
-    question.where = where;
-    (void)where.at("experiment").get<std::string>();
-    if (!where.contains("row")) question.where["row"] = json::object();
-    const auto kind = where.at("kind").get<std::string>();
-    if (kind == "choice") {
-      question.choices = where.at("choices").get<std::vector<std::string>>();
-      (void)where.at("name").get<std::string>();
-      if (question.choices.size() < 2) fail("needs two choices at least");
-      if (where.contains("largest") == where.contains("smallest")) {
-        fail("needs \"largest\" or \"smallest\"");
-      }
-    } else if (kind == "number" || kind == "share") {
-      (void)where.at("value").get<std::string>();
-      question.share = kind == "share";
-    } else {
-      fail("must be of kind number, share or choice");
+/// "predict" in lab.json.
+struct Predict {
+  Question question;
+};
+
+void fields(JsonFields& json, Predict& predict) {
+  Question& question = predict.question;
+  std::string kind;
+  json("question", question.text);
+  json("kind", kind);
+  json("experiment", question.experiment);
+  if (json.has("row")) json("row", question.row);
+  if (kind == "choice") {
+    json("choices", question.choices);
+    json("name", question.name);
+    question.largest = json.has("largest");
+    if (question.choices.size() < 2) json.fail("\"choices\" needs two at least");
+    if (question.largest == json.has("smallest")) {
+      json.fail("needs \"largest\" or \"smallest\"");
     }
-    return question;
-  } catch (const json::exception&) {
-    fail("lacks a field, or one is of a wrong type");
+    json(question.largest ? "largest" : "smallest", question.column);
+  } else if (kind == "number" || kind == "share") {
+    json("value", question.column);
+    json("over", question.over);
+    question.share = kind == "share";
+  } else {
+    json.fail("\"kind\" must be number, share or choice");
   }
-  return {};
+}
+
+/// What else lab.json says of an exercise, the guide reads (guide/exercises.h).
+struct Entry {
+  std::optional<Predict> predict;
+};
+
+void fields(JsonFields& json, Entry& entry) {
+  json("predict", entry.predict);
+}
+
+struct Entries {
+  std::vector<Entry> exercises;
+};
+
+void fields(JsonFields& json, Entries& entries) {
+  json("exercises", entries.exercises);
+}
+
+struct Kept {
+  std::map<std::string, JsonScalar> predictions;
+};
+
+void fields(JsonFields& json, Kept& kept) {
+  json.all(kept.predictions);
 }
 
 /// Describes what may be typed.
@@ -122,41 +158,38 @@ std::string prompt(const Question& question, const std::string& enter) {
 
 }  // namespace
 
-json Question::answer(const json& tables) const {
-  const auto table = tables.find(where.at("experiment").get<std::string>());
-  if (table == tables.end()) return {};
+JsonScalar Question::answer(const Results& results) const {
+  const auto found = results.tables.find(experiment);
+  if (found == results.tables.end()) return {};
+  const Table& table = found->second;
   if (choices.empty()) {
-    const auto column = where.at("value").get<std::string>();
-    json value = value_at(*table, where.at("row"), column);
-    if (!where.contains("over") || value.is_null()) return value;
-    const json base = value_at(*table, where.at("over"), column);
-    if (base.is_null() || base.get<double>() == 0) return {};
-    return value.get<double>() / base.get<double>();
+    const std::optional<double> value = value_at(table, row, column);
+    const std::optional<double> base = over ? value_at(table, *over, column) : 1;
+    if (!value || !base || *base == 0) return {};
+    return *value / *base;
   }
-  const bool largest = where.contains("largest");
-  const auto column = where.at(largest ? "largest" : "smallest").get<std::string>();
-  json best, name;
+  std::optional<double> best;
+  JsonScalar answer;
   for (const std::string& choice : choices) {
-    json wanted = where.at("row");
-    wanted[where.at("name").get<std::string>()] = choice;
-    const json value = value_at(*table, wanted, column);
-    if (value.is_null()) return {};  // all choices or none
-    const bool better = best.is_null() || (largest ? value > best : value < best);
-    if (!better) continue;
+    Where wanted = row;
+    wanted[name] = choice;
+    const std::optional<double> value = value_at(table, wanted, column);
+    if (!value) return {};  // all choices or none
+    if (best && !(largest ? *value > *best : *value < *best)) continue;
     best = value;
-    name = choice;
+    answer = choice;
   }
-  return name;
+  return answer;
 }
 
-json Question::read(const std::string& typed) const {
+JsonScalar Question::read(const std::string& typed) const {
   const std::string plain = without_blanks(typed);
   std::optional<double> value = value_in(plain);
   if (!value) return {};
   if (share) {
     // The percent sign may be omitted; 1 and less is the share itself.
     if (plain.back() != '%' && *value > 1) *value /= 100;
-    return *value >= 0 && *value <= 1 ? json(*value) : json();
+    return *value >= 0 && *value <= 1 ? JsonScalar(*value) : JsonScalar();
   }
   if (plain.back() == '%') return {};  // percent of what?
   if (choices.empty()) return *value;
@@ -165,10 +198,11 @@ json Question::read(const std::string& typed) const {
   return choices[static_cast<std::size_t>(*value) - 1];
 }
 
-std::string Question::shown(const json& value) const {
-  if (!value.is_number()) return value.get<std::string>();
-  return share ? fmt::format("{:.3g} %", 100 * value.get<double>())
-               : fmt::format("{:.3g}", value.get<double>());
+std::string Question::shown(const JsonScalar& value) const {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return "";
+  return share ? fmt::format("{:.3g} %", 100 * *number) : fmt::format("{:.3g}", *number);
 }
 
 Predictions::Predictions(const fs::path& root, int number)
@@ -177,20 +211,21 @@ Predictions::Predictions(const fs::path& root, int number)
   for (const Lab& lab : load_labs(labs)) {
     if (lab.number != number) continue;
     const OwnCode code(labs, lab);
-    const json document =
-        json::parse(read_file(labs / fmt::format("{:02}_{}", lab.number, lab.name) / "lab.json"));
+    const fs::path file = labs / fmt::format("{:02}_{}", lab.number, lab.name) / "lab.json";
+    auto entries = from_json_text<Entries>(read_file(file), file.string()).exercises;
     for (std::size_t i = 0; i < lab.exercises.size(); ++i) {
-      const json& entry = document.at("exercises").at(i);
       const Exercise& exercise = lab.exercises[i];
-      if (entry.contains("predict")) {
-        questions_.push_back(question_of(exercise, entry.at("predict")));
+      if (std::optional<Predict>& predict = entries.at(i).predict) {
+        predict->question.exercise = exercise.number();
+        questions_.push_back(predict->question);
       }
       if (code.open_functions(exercise) == 0) written_.push_back(exercise.number());
     }
   }
   if (!fs::exists(file_)) return;
-  kept_ = json::parse(read_file(file_), nullptr, false);
-  if (!kept_.is_object()) {
+  try {
+    kept_ = from_json_text<Kept>(read_file(file_), file_.string()).predictions;
+  } catch (const Error&) {
     throw Error("{}: not a record of predictions; remove it to start afresh", file_.string());
   }
 }
@@ -200,21 +235,24 @@ void Predictions::ask(const std::function<void(const std::string&)>& say,
   for (const Question& question : questions_) {
     const bool can_run =
         std::find(written_.begin(), written_.end(), question.exercise) != written_.end();
-    const json before = kept_.value(question.exercise, json());
     if (!can_run || (kept_.contains(question.exercise) && !again)) continue;
+    const auto before = kept_.find(question.exercise);
+    JsonScalar kept = before == kept_.end() ? JsonScalar() : before->second;
     const std::string enter =
-        before.is_null() ? "Enter skips" : "Enter leaves it at " + question.shown(before);
+        is_nothing(kept) ? "Enter skips" : "Enter leaves it at " + question.shown(kept);
     say(prompt(question, enter));
-    json read;
     while (true) {
       const std::optional<std::string> typed = hear();
       if (!typed) return;
       if (typed->find_first_not_of(" \t\r") == std::string::npos) break;
-      read = question.read(*typed);
-      if (!read.is_null()) break;
+      const JsonScalar read = question.read(*typed);
+      if (!is_nothing(read)) {
+        kept = read;
+        break;
+      }
       say(fmt::format("\"{}\" is not {} ({}): ", *typed, wanted(question), enter));
     }
-    kept_[question.exercise] = read.is_null() ? before : read;
+    kept_[question.exercise] = kept;
     save();
   }
 }
@@ -222,24 +260,24 @@ void Predictions::ask(const std::function<void(const std::string&)>& say,
 void Predictions::save() const {
   std::error_code ec;
   fs::create_directories(file_.parent_path(), ec);
-  write_file(file_, kept_.dump(2) + "\n");
+  write_file(file_, json_text(Kept{kept_}, 2) + "\n");
 }
 
-Table Predictions::table(const json& tables) const {
+Table Predictions::table(const Results& results) const {
   Table table({"exercise", "you predicted", "this run", "question"},
               {"exercise", "predicted", "result", "question"});
   for (const Question& question : questions_) {
-    const json predicted = kept_.value(question.exercise, json());
-    const json result = question.answer(tables);
-    if (result.is_null()) continue;
-    const bool right_kind =
-        question.choices.empty() ? predicted.is_number() : predicted.is_string();
-    if (!right_kind) continue;
-    const auto cell = [&](const json& value) {
+    const auto kept = kept_.find(question.exercise);
+    const JsonScalar result = question.answer(results);
+    // Of the same kind: the question may have been another one when it was answered.
+    if (is_nothing(result) || kept == kept_.end() || kept->second.index() != result.index())
+      continue;
+    const auto cell = [&](const JsonScalar& value) {
       const std::string text = question.shown(value);
-      return value.is_number() ? Cell(text, value.get<double>()) : Cell(text);
+      const auto* number = std::get_if<double>(&value);
+      return number != nullptr ? Cell(text, *number) : Cell(text);
     };
-    table.add_row({question.exercise, cell(predicted), cell(result), question.text});
+    table.add_row({question.exercise, cell(kept->second), cell(result), question.text});
   }
   return table;
 }

@@ -1,16 +1,19 @@
 #pragma once
 
-#include "course/report/table.h"
-
-#include <nlohmann/json.hpp>
+#include "course/json/json_fields.h"
+#include "course/report/results.h"
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace carlo {
+
+/// Which rows of a table: the values of some columns.
+using Where = std::map<std::string, JsonScalar>;
 
 /// A question that an exercise asks before its experiment is seen ("predict" in lab.json), and
 /// where the answer is in a run's tables:
@@ -26,18 +29,23 @@ struct Question {
   std::string text;
   std::vector<std::string> choices;  ///< if empty, a number is asked for
   bool share = false;                ///< the number is from 0 to 1, shown to people as a percentage
-  nlohmann::json where;              ///< the object above
+  std::string experiment;            ///< the table
+  Where row;
+  std::optional<Where> over;
+  std::string column;  ///< of the value, or the one that is extreme
+  std::string name;    ///< the column of the choices
+  bool largest = false;
 
-  /// Returns the answer in a run's tables (Notebook::results()); null if the experiment was left
-  /// out. Numbers as numbers, choices as text.
-  nlohmann::json answer(const nlohmann::json& tables) const;
+  /// Returns the answer in a run's tables; nothing if the experiment was left out. Numbers as
+  /// numbers, choices as text.
+  JsonScalar answer(const Results& results) const;
 
   /// Parses what somebody typed: a number such as -0.5 or -1/2 or 50 %, or a choice's number from
-  /// 1. For a share, 95 and .95 also mean 95 %. Null if it is neither, or no share.
-  nlohmann::json read(const std::string& typed) const;
+  /// 1. For a share, 95 and .95 also mean 95 %. Nothing if it is neither, or no share.
+  JsonScalar read(const std::string& typed) const;
 
-  /// Formats an answer, or what was read, for people.
-  std::string shown(const nlohmann::json& value) const;
+  /// Formats an answer, or what was read, for people; "" for nothing.
+  std::string shown(const JsonScalar& value) const;
 };
 
 /// The predictions of one lab: asked for once, kept, and shown next to the results of the run.
@@ -54,15 +62,15 @@ class Predictions {
            const std::function<std::optional<std::string>()>& hear, bool again = false);
 
   /// Returns predictions next to results, for questions that have both; no rows if there are none.
-  Table table(const nlohmann::json& tables) const;
+  Table table(const Results& results) const;
 
  private:
   void save() const;
 
   std::filesystem::path file_;
   std::vector<Question> questions_;
-  std::vector<std::string> written_;  ///< exercises that can be run
-  nlohmann::json kept_ = nlohmann::json::object();
+  std::vector<std::string> written_;        ///< exercises that can be run
+  std::map<std::string, JsonScalar> kept_;  ///< by exercise; nothing if it was skipped
 };
 
 }  // namespace carlo

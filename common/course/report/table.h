@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -47,6 +45,7 @@ class Table {
   void add_row(std::vector<Cell> cells);
 
   const std::vector<std::string>& titles() const { return titles_; }
+  const std::vector<std::string>& keys() const { return keys_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
   /// Returns whether the column holds numbers (and is right-aligned).
@@ -61,10 +60,6 @@ class Table {
 
   /// The same for a page; wide tables scroll.
   std::string html(std::string_view caption = "") const;
-
-  /// Returns an array with one object per row: numbers as numbers (null if not finite), text as
-  /// strings.
-  nlohmann::json json() const;
 
  private:
   std::vector<std::string> titles_;

@@ -8,6 +8,8 @@
 #include "peer_scene.h"
 #include "scene/scene.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <string>
 #include <vector>

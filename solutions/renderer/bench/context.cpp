@@ -1,5 +1,6 @@
 #include "context.h"
 
+#include "course/json/json_fields.h"
 #include "course/report/format.h"
 #include "course/report/machine.h"
 #include "course/report/stopwatch.h"
@@ -16,8 +17,27 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 namespace bench {
+namespace {
+
+/// What stands beside the page.
+struct Record {
+  std::map<std::string, std::string> about;
+  carlo::Results tables;
+  std::vector<std::string> missing, faults;
+};
+
+void fields(carlo::JsonFields& json, Record& record) {
+  json("about", record.about);
+  json("tables", record.tables);
+  json("missing", record.missing);
+  json("faults", record.faults);
+}
+
+}  // namespace
+
 Context::Context(const Options& options, double all_weights)
     : options_(options),
       page_("Speed against error",
@@ -44,7 +64,7 @@ void Context::progress(double fraction) {
 
 void Context::table(const std::string& key, const carlo::Table& table, std::string_view caption) {
   page_.table(table, caption);
-  results_[key] = table.json();
+  results_.tables.insert_or_assign(key, table);
   bar_.clear();
   fmt::print("{}\n{}\n", caption, table.text());
   std::fflush(stdout);
@@ -84,16 +104,12 @@ void Context::write(const std::vector<std::string>& missing) {
       {"Vector instructions", carlo::instruction_sets_text()},
       {"Compiler", carlo::compiler_text()},
       {"Load", load_text}};
-  nlohmann::json about;
-  for (const auto& [name, value] : facts) {
+  for (const auto& [name, value] : facts)
     page.fact(name, value);
-    about[name] = value;
-  }
   page.write(options_.page);
   const auto json = std::filesystem::path(options_.page).replace_extension(".json");
-  const nlohmann::json all = {
-      {"about", about}, {"tables", results_}, {"missing", missing}, {"faults", faults_}};
-  carlo::write_file(json, all.dump(2) + "\n");
+  const Record record{{facts.begin(), facts.end()}, results_, missing, faults_};
+  carlo::write_file(json, carlo::json_text(record, 2) + "\n");
   written_ = true;
   if (missing.empty()) fmt::print("written: {} and {}\n", options_.page.string(), json.string());
 }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "course/report/page.h"
+#include "course/report/results.h"
 #include "course/report/table.h"
 #include "image/image.h"
 #include "render/driver.h"
 #include "renderer/bench/spread.h"
 #include "scene/scene.h"
 #include "support/progress.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -59,7 +58,7 @@ class Context {
   Options options_;
   carlo::Page page_;
   carlo::Progress bar_;
-  nlohmann::json results_ = nlohmann::json::object();
+  carlo::Results results_;
   std::vector<std::string> faults_;
   bool written_ = false;
   double all_weights_, done_ = 0, weight_ = 0;

@@ -1,7 +1,9 @@
 #include "grader/calibrate/page.h"
 
+#include "course/json/json_fields.h"
+#include "course/report/results.h"
+
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -103,14 +105,14 @@ std::string report_text(const Findings& findings) {
 }
 
 std::string report_json(const Findings& findings) {
-  const nlohmann::json document{{"false_failures", rates_table(findings).json()},
-                                {"uniformity", uniformity_table(findings).json()},
-                                {"comparisons", behaviour_table(findings, true).json()},
-                                {"labs_mistakes", catch_table(findings).json()},
-                                {"mistakes", mistakes_table(findings, true).json()},
-                                {"claims", claims_table(findings).json()},
-                                {"power", power_table(findings).json()}};
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const Results results{{{"false_failures", rates_table(findings)},
+                         {"uniformity", uniformity_table(findings)},
+                         {"comparisons", behaviour_table(findings, true)},
+                         {"labs_mistakes", catch_table(findings)},
+                         {"mistakes", mistakes_table(findings, true)},
+                         {"claims", claims_table(findings)},
+                         {"power", power_table(findings)}}};
+  return json_text(results, 1) + "\n";
 }
 
 Page report_page(const Findings& findings) {
