@@ -226,7 +226,7 @@ TEST_CASE("Splats of a weak light are not lost beside 1e13 times as strong a lig
 
 // The square of twice the scene's diameter does not fit into a float.
 TEST_CASE("A stray vertex 1e19 away does not dim the environment map") {
-  check_strays({1e18f, 1e19f, 1e30f}, 1 << 16);
+  check_strays({1e18f, 1e19f, 1e30f}, 1 << 12);
 }
 
 // From outside a ball that emits inwards is black: its near half hides the far one.
@@ -236,7 +236,7 @@ TEST_CASE("A ball that shines inwards keeps its light in") {
     scene.materials.push_back({Diffuse{Rgb(0)}, false});
     scene.shapes.push_back({Sphere{{-2, 2, 0}, 1, true}, 1, Rgb(radiance)});
     scene.lights.points = {{{0, 1, 0}, Rgb(3)}};
-    check(std::move(scene), .5 / pi * 3, fmt::format("radiance {:g}", radiance), 1 << 18);
+    check(std::move(scene), .5 / pi * 3, fmt::format("radiance {:g}", radiance), 1 << 15);
   }
 }
 
