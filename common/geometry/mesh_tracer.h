@@ -59,7 +59,7 @@ class MeshTracer {
   const Mesh& mesh(std::size_t i) const { return *meshes_[i]; }
 
   /// Intersects the rays i with bit i of `wanted` set; returns those that hit a triangle. Other
-  /// rays are neither read nor written.
+  /// rays are not written. Fastest for rays that stay close to one another.
   std::uint32_t intersect(MeshRays& rays, std::uint32_t wanted) const;
 
   /// Returns those of the wanted rays with any hit.
