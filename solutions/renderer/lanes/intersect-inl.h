@@ -22,22 +22,49 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Where a ray's line enters and leaves one slab of a box.
-struct SlabHit {
-  V enters, leaves;
-  V along;  ///< the direction's component along the slab's axis
+HWY_INLINE V3 axis_of(const LaneBox& box, std::size_t k) {
+  return set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
+}
+
+/// Rays in the directions of a box's axes: the same for parallel boxes.
+struct AlongAxes {
+  V3 along, inverse;  ///< the components of d, and their reciprocals
+  V3 o;               ///< the components of o, for an upright box
 };
-HWY_INLINE SlabHit intersect_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
-  const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
-  const V from =
-      mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
+HWY_INLINE AlongAxes along_axes(const LaneBox& box, V3 o, V3 d) {
   // Replaces a component of 0 by 2^-63, so that 0 is never divided by 0; components from there to 2
   // have this bit set anyway.
-  const V along = hn::Or(dot(axis, d), set(0x1p-63f));
-  const V inverse = hn::Div(set(1), along), reach_of_half = hn::Abs(inverse);
-  const V middle = hn::Mul(from, inverse);
-  return {neg_mul_sub(set(box.half[k]), reach_of_half, middle),
-          mul_sub(set(box.half[k]), reach_of_half, middle), along};
+  const auto component = [&](std::size_t k)
+                             HWY_ATTR { return hn::Or(dot(axis_of(box, k), d), set(0x1p-63f)); };
+  const V3 along{component(0), component(1), component(2)};
+  AlongAxes axes{
+      along, {hn::Div(set(1), along.x), hn::Div(set(1), along.y), hn::Div(set(1), along.z)}, o};
+  if (box.upright)
+    axes.o = {dot(axis_of(box, 0), o), dot(axis_of(box, 1), o), dot(axis_of(box, 2), o)};
+  return axes;
+}
+
+/// Where a ray's line enters and leaves a box's slabs.
+struct SlabHits {
+  V3 enters, leaves;
+};
+HWY_INLINE SlabHits intersect_slabs(const LaneBox& box, V3 o, const AlongAxes& axes) {
+  const auto from = [&](std::size_t k) HWY_ATTR {
+    const V3 axis = axis_of(box, k);
+    return mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
+  };
+  // Both have the same bits where the axes are 1 and 0.
+  const V3 from_center = box.upright ? axes.o - set(box.center[0], box.center[1], box.center[2])
+                                     : V3{from(0), from(1), from(2)};
+  const V3 middle = from_center * axes.inverse;
+  const auto enters = [&](std::size_t k, V inverse, V at)
+                          HWY_ATTR { return neg_mul_sub(set(box.half[k]), hn::Abs(inverse), at); };
+  const auto leaves = [&](std::size_t k, V inverse, V at)
+                          HWY_ATTR { return mul_sub(set(box.half[k]), hn::Abs(inverse), at); };
+  return {{enters(0, axes.inverse.x, middle.x), enters(1, axes.inverse.y, middle.y),
+           enters(2, axes.inverse.z, middle.z)},
+          {leaves(0, axes.inverse.x, middle.x), leaves(1, axes.inverse.y, middle.y),
+           leaves(2, axes.inverse.z, middle.z)}};
 }
 
 /// The number, within its box, of the side of slab k by which a ray enters (leaves).
@@ -55,23 +82,23 @@ HWY_INLINE U left(std::size_t k, V along) {
 /// The points where rays leave the enclosure. Those from surfaces start inside, even if their
 /// origins are rounded; the camera's may miss it.
 HWY_INLINE Hits leave_enclosure(const LaneScene& s, V3 o, V3 d, U last) {
-  const SlabHit x = intersect_slab(s.enclosure, 0, o, d), y = intersect_slab(s.enclosure, 1, o, d),
-                z = intersect_slab(s.enclosure, 2, o, d);
-  V leaves = x.leaves;
-  U side = left(0, x.along);
+  const AlongAxes axes = along_axes(s.enclosure, o, d);
+  const SlabHits slabs = intersect_slabs(s.enclosure, o, axes);
+  V leaves = slabs.leaves.x;
+  U side = left(0, axes.along.x);
   const auto choose = [&](V t, U number) HWY_ATTR {
     side = hn::IfThenElse(hn::RebindMask(du_, hn::Lt(t, leaves)), number, side);
     leaves = hn::Min(t, leaves);
   };
-  choose(y.leaves, left(1, y.along));
-  choose(z.leaves, left(2, z.along));
+  choose(slabs.leaves.y, left(1, axes.along.y));
+  choose(slabs.leaves.z, left(2, axes.along.z));
   M met = hn::FirstN(d_, lanes);
   if (s.enclosure.faces != 0x3F) {
     const U faces = set_word(s.enclosure.faces);
     met = hn::RebindMask(d_, hn::Ne(hn::And(hn::Shr(faces, side), set_word(1)), set_word(0)));
   }
   if (!s.camera_inside) {
-    const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters));
+    const V enters = hn::Max(slabs.enters.x, hn::Max(slabs.enters.y, slabs.enters.z));
     const M misses = hn::Or(hn::Gt(enters, leaves), hn::Lt(leaves, set(0)));
     met = hn::AndNot(hn::And(misses, same(last, set_word(nothing))), met);
   }
@@ -87,21 +114,31 @@ HWY_INLINE U box_of(U surface) {
   return hn::ShiftRight<3>(surface);
 }
 
+/// Calls f with the number of each solid and the rays along its axes, whose divisions are half of
+/// the work.
+template <class F>
+HWY_INLINE void for_solids(const LaneScene& s, V3 o, V3 d, const F& f) {
+  AlongAxes axes{d, d, o};
+  for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
+    if (!s.solids[i].parallel) axes = along_axes(s.solids[i], o, d);
+    f(i, axes);
+  }
+}
+
 /// Seen from outside, where every path is, a solid lies ahead if the middle of the chord does. This
 /// does not depend on the rounding of an origin that touches the solid.
-HWY_INLINE void intersect_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
-                                Hits& hits) {
-  const SlabHit x = intersect_slab(s.solids[i], 0, o, d), y = intersect_slab(s.solids[i], 1, o, d),
-                z = intersect_slab(s.solids[i], 2, o, d);
-  V enters = x.enters;
-  U side = entered(0, x.along);
+HWY_INLINE void intersect_solid(const LaneScene& s, std::uint32_t i, V3 o, const AlongAxes& axes,
+                                U last_box, Hits& hits) {
+  const SlabHits slabs = intersect_slabs(s.solids[i], o, axes);
+  V enters = slabs.enters.x;
+  U side = entered(0, axes.along.x);
   const auto choose = [&](V t, U number) HWY_ATTR {
     side = hn::IfThenElse(hn::RebindMask(du_, hn::Gt(t, enters)), number, side);
     enters = hn::Max(t, enters);
   };
-  choose(y.enters, entered(1, y.along));
-  choose(z.enters, entered(2, z.along));
-  const V leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
+  choose(slabs.enters.y, entered(1, axes.along.y));
+  choose(slabs.enters.z, entered(2, axes.along.z));
+  const V leaves = hn::Min(slabs.leaves.x, hn::Min(slabs.leaves.y, slabs.leaves.z));
   const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
                            hn::And(ahead, differs(last_box, set_word(i))));
@@ -220,18 +257,17 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted)
       intersect_sphere<full>(s, i, from, d, of_origin, hits);
   }
   const U last_box = box_of(from.last);
-  for (std::uint32_t i = 0; i < s.solids.size(); ++i)
-    intersect_solid(s, i, from.o, d, last_box, hits);
+  for_solids(s, from.o, d, [&](std::uint32_t i, const AlongAxes& axes) HWY_ATTR {
+    intersect_solid(s, i, from.o, axes, last_box, hits);
+  });
   return hits;
 }
 
 /// Both ends lie outside, so the solid is in the way if the middle of the chord lies between them.
-HWY_INLINE M solid_occludes(const LaneBox& box, const Segments& segments) {
-  const SlabHit x = intersect_slab(box, 0, segments.from.o, segments.d),
-                y = intersect_slab(box, 1, segments.from.o, segments.d),
-                z = intersect_slab(box, 2, segments.from.o, segments.d);
-  const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
-          leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
+HWY_INLINE M solid_occludes(const LaneBox& box, const Segments& segments, const AlongAxes& axes) {
+  const SlabHits slabs = intersect_slabs(box, segments.from.o, axes);
+  const V enters = hn::Max(slabs.enters.x, hn::Max(slabs.enters.y, slabs.enters.z)),
+          leaves = hn::Min(slabs.leaves.x, hn::Min(slabs.leaves.y, slabs.leaves.z));
   const V twice_middle = hn::Add(enters, leaves);
   return hn::And(hn::Le(enters, leaves),
                  hn::And(hn::Gt(twice_middle, set(0)),
@@ -290,11 +326,11 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) 
   if (full && s.many) return unoccluded_by_trees(s, segments, active);
   M clear = active;
   const U from_box = box_of(segments.from.last);
-  for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
+  for_solids(s, segments.from.o, segments.d, [&](std::uint32_t i, const AlongAxes& axes) HWY_ATTR {
     const M occluded =
-        hn::And(solid_occludes(s.solids[i], segments), differs(from_box, set_word(i)));
+        hn::And(solid_occludes(s.solids[i], segments, axes), differs(from_box, set_word(i)));
     clear = hn::AndNot(occluded, clear);
-  }
+  });
   V of_origin = set(0);
   if (close) of_origin = coordinates(segments.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {

@@ -102,6 +102,9 @@ LaneBox slabs(const Parallelepiped& box) {
     result.center[k] = static_cast<float>(glm::dot(n, middle));
     result.half[k] = static_cast<float>(0.5 * glm::dot(n, box.edge[k]));
   }
+  result.upright = std::all_of(result.axis.begin(), result.axis.end(), [](const auto& axis) {
+    return std::count(axis.begin(), axis.end(), 0.0f) == 2;
+  });
   return result;
 }
 

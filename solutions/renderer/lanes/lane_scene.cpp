@@ -327,6 +327,8 @@ LaneScene::LaneScene(const carlo::Scene& scene)
   const LaneBoxes boxes = many ? no_boxes(scene) : *to_try;
   for (const FoundBox& solid : boxes.solids) {
     solids.push_back(solid.box);
+    if (solids.size() > 1)
+      solids.back().parallel = solids.back().axis == solids[solids.size() - 2].axis;
     write.box(solid, sides);
   }
   if (boxes.enclosure) {

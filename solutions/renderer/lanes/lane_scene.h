@@ -23,6 +23,8 @@ struct LaneBox {
   std::array<float, 3> center{}, half{};
   /// Bit 2 k + 1: the face where axis_k . p - center_k = half_k belongs to it; bit 2 k: the other.
   std::uint32_t faces = 0;
+  bool upright = false;   ///< its axes are those of the coordinates, in some order
+  bool parallel = false;  ///< of LaneScene::solids: its axes are those of the one before
 };
 
 /// A scene as the vector kernels read it. Surfaces are numbered, and there is a column of entries

@@ -135,9 +135,11 @@ class Steps {
   HWY_INLINE void find(const Paths& paths, Vertex& vertex) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
     // Computed ahead of use, so that the processor has work while it waits for the intersection.
-    const U k = mix(paths.key);
-    vertex.u_light = points(job_, paths.reversed_index, k);
-    vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
+    if (job_.max_depth != 1) {
+      const U k = mix(paths.key);
+      vertex.u_light = points(job_, paths.reversed_index, k);
+      vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
+    }
     vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d, paths.alive);
   }
 
