@@ -42,12 +42,12 @@ struct Vertex {
   Hits hits;
   // For scenes with sdfs or meshes:
   RayRegister ray;
-  std::array<double, lanes> t{};  ///< hits on sdfs
-  carlo::MeshRays of_mesh;        ///< hits on meshes
-  V3 ns;                          ///< normals to shade with, if the scene is `smooth`
-  V3 error;                       ///< of the point's coordinates
-  ToLight to_light;               ///< segments to lights that nothing else blocks,
-  V3 direct;                      ///< and their contributions
+  std::array<double, lanes> t;  ///< hits on sdfs
+  carlo::MeshRays of_mesh;      ///< hits on meshes
+  V3 ns;                        ///< normals to shade with, if the scene is `smooth`
+  V3 error;                     ///< of the point's coordinates
+  ToLight to_light;             ///< segments to lights that nothing else blocks,
+  V3 direct;                    ///< and their contributions
 };
 
 /// Sphere tracing, only where an sdf may be nearer than the hits so far.

@@ -297,7 +297,7 @@ class Steps {
 
   HWY_INLINE Surfaces surface_at(V3 d, const ShadingPoints& shading) const {
     const Numbers& material = shading.material;
-    Surfaces surface = zeros<Surfaces>();
+    Surfaces surface;  // without lobes the rest is not read
     surface.p = each(shading.p);
     surface.n = each(shading.ns);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
