@@ -95,6 +95,44 @@ TEST_CASE("The vector kernel finds boxes") {
   CHECK(renderer::find_boxes(assorted()).others.size() == assorted().shapes.size());
 }
 
+/// Twelve small boxes on a floor under a light, of three orientations, one of them upright: those
+/// of one orientation in a row, or by turns.
+Scene rows_of_boxes(bool in_rows) {
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0.7f)}, true}};
+  scene.shapes = {{Parallelogram{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}}, 0},
+                  {Parallelogram{{-1, -1, 4}, {0, 2, 0}, {2, 0, 0}}, 0, Rgb(3)}};
+  for (int i = 0; i < 12; ++i) {
+    const int kind = in_rows ? i / 4 : i % 3, place = in_rows ? i % 4 * 3 + kind : i;
+    const float turn = static_cast<float>(kind) * .4f, c = std::cos(turn), s = std::sin(turn);
+    const Vec3 corner(static_cast<float>(place % 4) - 2, static_cast<float>(place / 4) - 1, .25f);
+    add_box(scene, corner, .5f * Vec3(c, s, 0), .5f * Vec3(-s, c, 0), {0, 0, .5f}, 0);
+  }
+  scene.camera = look_at({1, -5, 3}, {0, 0, 0}, {0, 0, 1}, 50);
+  return scene;
+}
+
+// A ray's divisions along a box's axes serve the parallel boxes after it.
+TEST_CASE("Boxes have the same bits whether parallel ones stand in a row or not") {
+  const auto parallel = [](const Scene& scene) {
+    const renderer::LaneScene lanes(scene);
+    CHECK(lanes.solids.size() == 12);
+    return std::count_if(lanes.solids.begin(), lanes.solids.end(),
+                         [](const renderer::LaneBox& box) { return box.parallel; });
+  };
+  CHECK(parallel(rows_of_boxes(true)) == 9);
+  CHECK(parallel(rows_of_boxes(false)) == 0);
+  const Scene in_rows = small(rows_of_boxes(true), SamplerKind::sobol);
+  const Image one = render_scene(in_rows, 64, 1, 1).film.mean();
+  const Image other =
+      render_scene(small(rows_of_boxes(false), SamplerKind::sobol), 64, 1, 1).film.mean();
+  CHECK(one.pixels == other.pixels);
+  const tiles::Estimate oracle = estimate(in_rows, renderer::Kernel::scalar, 1);
+  const tiles::Estimate kernel = estimate(in_rows, renderer::Kernel::best, 2);
+  for (std::size_t i = 0; i < oracle.tiles.size(); ++i)
+    CHECK(std::abs(tiles::z(oracle.tiles[i][0], kernel.tiles[i][0])) <= 5);
+}
+
 // A point light is no surface, and its entry in the column of surfaces is 0: here the number of a
 // mesh on which no point can be drawn.
 TEST_CASE("The vector kernel takes a point for no mesh") {

@@ -37,7 +37,7 @@ Scene assorted() {
 }
 
 void add_box(Scene& scene, Vec3 origin, Vec3 u, Vec3 v, Vec3 w, std::uint32_t material,
-             Rgb radiance = Rgb(0)) {
+             Rgb radiance) {
   const auto add = [&](Vec3 at, Vec3 a, Vec3 b) {
     scene.shapes.push_back({Parallelogram{at, a, b}, material, radiance});
   };

@@ -9,16 +9,19 @@
 #   target property UNITY_BUILD_MODE GROUP              files of one group together, the others alone
 #   source property UNITY_GROUP                         its group
 #   source property SKIP_UNITY_BUILD_INCLUSION          this file by itself
-# Generated files and those with their own compile options or definitions are also compiled alone.
+# Generated files and those with their own definitions are also compiled alone; those with the same compile
+# options of their own, with one another.
 
-# Sets RESULT to the group that `source` of `target` is compiled with, or "" for none.
+# Sets RESULT to the group that `source` of `target` is compiled with, or "" for none; RESULT_options to the
+# options of all of the group's files.
 function(carlo_group_of result target source mode)
   set(${result} "" PARENT_SCOPE)
+  set(${result}_options "" PARENT_SCOPE)
   cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${source}" inside)
   if(NOT source MATCHES "\\.cpp$" OR NOT inside)
     return()
   endif()
-  foreach(alone IN ITEMS GENERATED SKIP_UNITY_BUILD_INCLUSION COMPILE_DEFINITIONS COMPILE_OPTIONS)
+  foreach(alone IN ITEMS GENERATED SKIP_UNITY_BUILD_INCLUSION COMPILE_DEFINITIONS)
     get_source_file_property(value "${source}" TARGET_DIRECTORY ${target} ${alone})
     if(value)
       return()
@@ -30,6 +33,13 @@ function(carlo_group_of result target source mode)
     if(NOT group)
       return()
     endif()
+  endif()
+  get_source_file_property(options "${source}" TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
+  if(options)
+    string(SHA256 hash "${options}")
+    string(SUBSTRING "${hash}" 0 8 hash)
+    string(APPEND group "_${hash}")
+    set(${result}_options "${options}" PARENT_SCOPE)
   endif()
   set(${result} "${group}" PARENT_SCOPE)
 endfunction()
@@ -76,6 +86,7 @@ function(carlo_compile_target_together target)
       list(APPEND result "${source}")
     else()
       list(APPEND groups ${group})
+      set(options_of_${group} "${group_options}")
       list(APPEND of_${group} "${path}")
     endif()
   endforeach()
@@ -88,6 +99,10 @@ function(carlo_compile_target_together target)
       list(LENGTH file some)
       if(some GREATER 1)
         carlo_file_of(file ${target} ${group}_${first} "${file}")
+        if(options_of_${group})
+          set_source_files_properties("${file}" TARGET_DIRECTORY ${target}
+                                      PROPERTIES COMPILE_OPTIONS "${options_of_${group}}")
+        endif()
       endif()
       list(APPEND result "${file}")
     endforeach()

@@ -22,9 +22,8 @@
 namespace carlo {
 namespace {
 
-/// Decisions are made for squares of this side, in pixels; work is handed out in squares of sides
-/// up to `square_size`.
-constexpr int unit_size = adaptive_unit_size, square_size = 16;
+/// Work is handed out in squares of up to this side, in pixels.
+constexpr int square_size = 16;
 /// Jobs per thread between possible checkpoints.
 constexpr std::ptrdiff_t jobs_at_once = 64;
 /// Samples per half; beyond these no pixel waits for lights that have not been sampled.
@@ -217,8 +216,8 @@ class AdaptiveJob {
     const int x1 = std::min(x + size, state_.width), y1 = std::min(y + size, state_.height);
     if (x >= x1 || y >= y1) return;
     bool all = true, none = true;
-    for (int v = y; v < y1; v += unit_size) {
-      for (int u = x; u < x1; u += unit_size) {
+    for (int v = y; v < y1; v += adaptive_unit_size) {
+      for (int u = x; u < x1; u += adaptive_unit_size) {
         const bool active = unit_of(u, v).active();
         all = all && active;
         none = none && !active;

@@ -10,7 +10,6 @@
 namespace carlo {
 namespace {
 
-constexpr int unit_size = adaptive_unit_size;
 /// 95 % of normal errors are within this many standard errors.
 constexpr double confidence = 1.96;
 /// The worst pixel's error may be this many times the allowed root mean square error of its unit.
@@ -20,10 +19,10 @@ constexpr double floor_fraction = 0.01;
 /// Calls visit(pixel) for each pixel of a unit.
 template <class Visit>
 void for_each_pixel(const AdaptiveState& state, std::size_t unit, Visit visit) {
-  const int x0 = static_cast<int>(unit) % state.columns * unit_size;
-  const int y0 = static_cast<int>(unit) / state.columns * unit_size;
-  for (int y = y0; y < std::min(y0 + unit_size, state.height); ++y) {
-    for (int x = x0; x < std::min(x0 + unit_size, state.width); ++x)
+  const int x0 = static_cast<int>(unit) % state.columns * adaptive_unit_size;
+  const int y0 = static_cast<int>(unit) / state.columns * adaptive_unit_size;
+  for (int y = y0; y < std::min(y0 + adaptive_unit_size, state.height); ++y) {
+    for (int x = x0; x < std::min(x0 + adaptive_unit_size, state.width); ++x)
       visit(state.pixel(x, y));
   }
 }
@@ -56,7 +55,8 @@ double noise_around(const AdaptiveState& state, std::size_t unit, std::size_t ha
   double sum = 0, count = 0;
   for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows - 1); ++y) {
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, state.columns - 1); ++x) {
-      sum += state.units[state.unit_number(x * unit_size, y * unit_size)].noise[half];
+      sum += state.units[state.unit_number(x * adaptive_unit_size, y * adaptive_unit_size)]
+                 .noise[half];
       ++count;
     }
   }
@@ -65,7 +65,8 @@ double noise_around(const AdaptiveState& state, std::size_t unit, std::size_t ha
 
 /// Estimates how many more samples a unit needs, for the progress bar.
 double still_missing(double n, double most, double excess) {
-  return unit_size * unit_size * (std::clamp(n * excess, 1.5 * n, std::fmax(most, 1.5 * n)) - n);
+  return adaptive_unit_size * adaptive_unit_size *
+         (std::clamp(n * excess, 1.5 * n, std::fmax(most, 1.5 * n)) - n);
 }
 
 }  // namespace
