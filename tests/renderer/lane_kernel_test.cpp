@@ -105,7 +105,8 @@ Scene rows_of_boxes(bool in_rows) {
   for (int i = 0; i < 12; ++i) {
     const int kind = in_rows ? i / 4 : i % 3, place = in_rows ? i % 4 * 3 + kind : i;
     const float turn = static_cast<float>(kind) * .4f, c = std::cos(turn), s = std::sin(turn);
-    const Vec3 corner(static_cast<float>(place % 4) - 2, static_cast<float>(place / 4) - 1, .25f);
+    const int column = place % 4, row = place / 4;
+    const Vec3 corner(static_cast<float>(column) - 2, static_cast<float>(row) - 1, .25f);
     add_box(scene, corner, .5f * Vec3(c, s, 0), .5f * Vec3(-s, c, 0), {0, 0, .5f}, 0);
   }
   scene.camera = look_at({1, -5, 3}, {0, 0, 0}, {0, 0, 1}, 50);
