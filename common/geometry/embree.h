@@ -38,25 +38,4 @@ inline void embree_occluded(RTCScene scene, RTCRay* ray) {
 #endif
 }
 
-/// The same for the rays of a packet with valid[i] = -1, which is aligned to 64 bytes.
-inline void embree_intersect(const int* valid, RTCScene scene, RTCRayHit16* queries) {
-#if CARLO_EMBREE == 4
-  rtcIntersect16(valid, scene, queries);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect16(valid, scene, &context, queries);
-#endif
-}
-
-inline void embree_occluded(const int* valid, RTCScene scene, RTCRay16* rays) {
-#if CARLO_EMBREE == 4
-  rtcOccluded16(valid, scene, rays);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded16(valid, scene, &context, rays);
-#endif
-}
-
 }  // namespace carlo

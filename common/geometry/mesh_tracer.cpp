@@ -46,6 +46,27 @@ void fill(RTCRay16& packet, const MeshRays& rays) {
   std::fill_n(packet.flags, MeshRays::most, 0u);
 }
 
+/// embree_intersect() for the rays of a packet with valid[i] = -1.
+void intersect_packet(const int* valid, RTCScene scene, RTCRayHit16* queries) {
+#if CARLO_EMBREE == 4
+  rtcIntersect16(valid, scene, queries);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect16(valid, scene, &context, queries);
+#endif
+}
+
+void occlude_packet(const int* valid, RTCScene scene, RTCRay16* rays) {
+#if CARLO_EMBREE == 4
+  rtcOccluded16(valid, scene, rays);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(valid, scene, &context, rays);
+#endif
+}
+
 /// Of two triangles back to back only the one that faces the ray is met.
 void pass_backs(const RTCFilterFunctionNArguments* args) {
   const auto& mesh = *static_cast<const Mesh*>(args->geometryUserPtr);
@@ -165,7 +186,7 @@ std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const 
   fill(queries.ray, rays);
   std::fill_n(queries.hit.geomID, MeshRays::most, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(queries.hit.instID[0], MeshRays::most, RTC_INVALID_GEOMETRY_ID);
-  embree_intersect(Valid(wanted).data(), impl_->scene, &queries);
+  intersect_packet(Valid(wanted).data(), impl_->scene, &queries);
   std::uint32_t met = 0;
   const auto for_met = [&](const auto& f) {
     for (std::uint32_t left = met; left != 0; left &= left - 1)
@@ -195,7 +216,7 @@ std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const 
 std::uint32_t MeshTracer::occluded(const MeshRays& rays, std::uint32_t wanted) const {
   alignas(64) RTCRay16 queries;
   fill(queries, rays);
-  embree_occluded(Valid(wanted).data(), impl_->scene, &queries);
+  occlude_packet(Valid(wanted).data(), impl_->scene, &queries);
   std::uint32_t blocked = 0;
   for (std::size_t i = 0; i < MeshRays::most; ++i)
     blocked |= static_cast<std::uint32_t>((wanted >> i & 1) != 0 && queries.tfar[i] < 0) << i;

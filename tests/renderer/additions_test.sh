@@ -20,6 +20,9 @@ cd "$tree"
 
 # FILE|TEXT OF THE LINE|why no kind is forgotten there.
 reasons='
+common/course/json/json_fields.cpp|get_if<|a value of JSON, nothing of a scene
+common/course/report/predictions.cpp|get_if<|a value of JSON, nothing of a scene
+common/course/report/predictions.cpp|holds_alternative<|a value of JSON, nothing of a scene
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
 common/scene/duplicate_faces.cpp|get_if<Mesh>|only meshes have triangles
 common/scene/duplicate_lights.cpp|holds_alternative<Mesh>|a kind that this does not know is compared whole: MiddleOf must know it

@@ -50,6 +50,7 @@ endfunction()
 # shows whether each file includes all that it uses (tests/nightly.sh, apart).
 option(CARLO_UNITY "Compile the files of a target together" ON)
 set(CMAKE_UNITY_BUILD ${CARLO_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 
 add_library(carlo_build INTERFACE)
 add_library(carlo::build ALIAS carlo_build)

@@ -1,4 +1,4 @@
-# carlo_compile_together(): compiles the files of each target together, 24 at a time, in the order in
+# carlo_compile_together(): compiles the files of each target together, some at a time, in the order in
 # which the target lists them: most of a small file's time goes into the headers that it shares with
 # its neighbours. Call it when all targets exist.
 #
@@ -8,6 +8,7 @@
 #   target property UNITY_BUILD OFF                     every file by itself (what a student edits)
 #   target property UNITY_BUILD_MODE GROUP              files of one group together, the others alone
 #   source property UNITY_GROUP                         its group
+#   target property UNITY_BUILD_BATCH_SIZE              how many at a time
 #   source property SKIP_UNITY_BUILD_INCLUSION          this file by itself
 # Generated files and those with their own definitions are also compiled alone; those with the same compile
 # options of their own, with one another.
@@ -69,6 +70,7 @@ function(carlo_compile_target_together target)
     return()
   endif()
   get_target_property(mode ${target} UNITY_BUILD_MODE)
+  get_target_property(at_a_time ${target} UNITY_BUILD_BATCH_SIZE)
   get_target_property(folder ${target} SOURCE_DIR)
   get_target_property(sources ${target} SOURCES)
   if(NOT sources)
@@ -94,8 +96,8 @@ function(carlo_compile_target_together target)
   foreach(group IN LISTS groups)
     list(LENGTH of_${group} count)
     math(EXPR last "${count} - 1")
-    foreach(first RANGE 0 ${last} 24)
-      list(SUBLIST of_${group} ${first} 24 file)
+    foreach(first RANGE 0 ${last} ${at_a_time})
+      list(SUBLIST of_${group} ${first} ${at_a_time} file)
       list(LENGTH file some)
       if(some GREATER 1)
         carlo_file_of(file ${target} ${group}_${first} "${file}")
