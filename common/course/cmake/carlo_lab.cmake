@@ -244,7 +244,7 @@ function(add_lab folder name)
     carlo_lab_part(${lab}_experiments ${folder} SOURCES ${experiments}
                    DEPENDS ${uses} ${ARG_EXPERIMENTS} carlo::cli carlo::course carlo::stats
                            carlo::report)
-    # The last that a student waits for: on all processors.
+    # The last that a student waits for: in two files where there are many, for two processors.
     set_target_properties(${lab}_experiments PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
     file(GLOB web_files CONFIGURE_DEPENDS "${here}/*.css")
     if(web_files)
