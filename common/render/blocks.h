@@ -8,6 +8,10 @@ namespace carlo {
 /// same number of blocks.
 constexpr int driver_tile_size = 16;
 
+/// The most passes that are rendered at once, tile by tile: by so many blocks tiles may differ
+/// after an interruption.
+constexpr std::uint32_t most_passes_at_once = 8;
+
 /// The samples of a render, handed out in blocks (film.h) of tiles (driver.h). Blocks are numbered
 /// pass by pass: number p * tiles + t is the p-th block of each pixel of tile t.
 struct BlockGrid {

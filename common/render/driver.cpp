@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstddef>
 #include <mutex>
+#include <span>
 #include <vector>
 
 namespace carlo {
@@ -40,14 +41,19 @@ class Job {
     const std::size_t pixels =
         static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height());
     const auto passes = static_cast<std::uint32_t>((share_.end + tiles() - 1) / tiles());
-    for (std::uint32_t pass = first_pass(passes); pass < passes && !stopped(pass); ++pass) {
+    std::uint32_t at_once = 1;
+    for (std::uint32_t pass = first_pass(passes); pass < passes && !stopped(pass);) {
+      const WallClock clock;
+      const std::uint32_t end = pass + std::min(at_once, passes - pass);
       const LightPass light_pass(integrator_, pixels, 0, pass * film_.block(), film_.block());
       if (interrupt_noted()) break;
       tbb::parallel_for(
-          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, light_pass); },
+          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, end, light_pass); },
           tbb::simple_partitioner{});
       settle();
-      if (pass + 1 < passes && !stopped(pass + 1)) save();
+      if (end < passes && !stopped(end)) save();
+      at_once = passes_at_once(clock.seconds() / (end - pass));
+      pass = end;
     }
     settle();
   }
@@ -65,7 +71,20 @@ class Job {
   int corner_x(int tile) const { return tile % columns_ * tile_size; }
   int corner_y(int tile) const { return tile / columns_ * tile_size; }
 
-  /// The next pass of a tile. Tiles may differ by one after an interruption.
+  /// The number of passes to render at once, tile by tile, which takes less time than one after
+  /// another: as many as take no longer than somebody who looks at the image would notice, and are
+  /// done when the time is up or the result is to be saved. Light paths belong to one pass.
+  std::uint32_t passes_at_once(double seconds_of_pass) const {
+    if (integrator_.light_paths() > 0) return 1;
+    double seconds = 0.25;
+    if (options_.seconds) seconds = std::min(seconds, *options_.seconds - clock_.seconds());
+    if (options_.checkpoint)
+      seconds = std::min(seconds, last_save_ + options_.checkpoint_seconds - clock_.seconds());
+    const double most = std::min(seconds / seconds_of_pass, double{most_passes_at_once});
+    return static_cast<std::uint32_t>(std::max(1.0, most));
+  }
+
+  /// The next pass of a tile. Tiles may differ by `most_passes_at_once` after an interruption.
   std::uint64_t next_pass(int tile) const {
     return share_.first_pass(static_cast<std::uint64_t>(tile), tiles()) +
            film_.blocks(corner_x(tile), corner_y(tile));
@@ -108,39 +127,55 @@ class Job {
            (options_.seconds && pass >= 2 && clock_.seconds() >= *options_.seconds);
   }
 
-  void run_tile(int number, std::uint32_t pass, const LightPass& light_pass) {
-    if (stopped(pass) || !is_missing(number, pass)) return;
+  /// Renders those passes of a tile from `first` to `end` that are missing.
+  void run_tile(int number, std::uint32_t first, std::uint32_t end, const LightPass& light_pass) {
+    while (first < end && !is_missing(number, first))
+      ++first;
+    while (first < end && !is_missing(number, end - 1))
+      --end;
+    if (stopped(first) || first == end) return;
+    const std::uint32_t blocks = end - first;
     Tile tile;
     tile.x0 = corner_x(number);
     tile.y0 = corner_y(number);
     tile.x1 = std::min(tile.x0 + tile_size, film_.width());
     tile.y1 = std::min(tile.y0 + tile_size, film_.height());
     tile.samples = film_.block();
-    tile.first_sample = pass * film_.block();
-    std::array<std::array<double, 3>, tile_size * tile_size> means;
+    tile.first_sample = first * film_.block();
+    std::array<std::array<double, 3>, most_passes_at_once * tile_size * tile_size> room;
+    const auto pixels = static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
+    const std::span means = std::span(room).first(blocks * pixels);
     Counts counts;
-    integrator_.render(tile, means, counts);
+    integrator_.render_blocks(tile, blocks, means, counts);
     if (interrupt_noted()) return;  // it may have been cut short
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x, ++i) {
-        light_pass.add_to(means[i],
-                          static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
-                              static_cast<std::size_t>(x));
-        film_.add_block(x, y, means[i]);
-      }
+      for (int x = tile.x0; x < tile.x1; ++x, ++i)
+        add_blocks(x, y, means.subspan(i), pixels, light_pass);
     }
     // A pass that is rendered in several runs traces its light paths in each; they are counted
     // once, with tile 0.
     if (number == 0) counts += light_pass.counts();
-    finish_tile(counts, light_pass.counts().splat_covariance);
+    finish_tile(blocks, counts, light_pass.counts().splat_covariance);
   }
 
-  void finish_tile(const Counts& counts, double splat_covariance) {
+  /// Adds the blocks of a pixel, every `step`-th of `means`.
+  void add_blocks(int x, int y, std::span<std::array<double, 3>> means, std::size_t step,
+                  const LightPass& light_pass) {
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
+        static_cast<std::size_t>(x);
+    for (std::size_t i = 0; i < means.size(); i += step) {
+      light_pass.add_to(means[i], pixel);
+      film_.add_block(x, y, means[i]);
+    }
+  }
+
+  void finish_tile(std::uint32_t blocks, const Counts& counts, double splat_covariance) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    result_.splat_covariance.add(splat_covariance);
-    ++blocks_done_;
+    result_.splat_covariance.add(splat_covariance);  // 0 for several blocks
+    blocks_done_ += blocks;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds
                          : static_cast<double>(blocks_done_) / static_cast<double>(share_.count()));

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -117,6 +118,16 @@ class Integrator {
   /// Renders a tile: writes the mean of the samples of each of its pixels into `means`, row by row.
   virtual void render(const Tile& tile, std::span<std::array<double, 3>> means,
                       Counts& counts) const = 0;
+
+  /// The same for this many blocks of samples, one after another from `tile` on: the means of the
+  /// first, then those of the next. Integrators may do it faster at once, with the same means.
+  virtual void render_blocks(const Tile& tile, std::uint32_t blocks,
+                             std::span<std::array<double, 3>> means, Counts& counts) const {
+    const std::size_t pixels = means.size() / blocks;
+    Tile block = tile;
+    for (std::uint32_t b = 0; b < blocks; ++b, block.first_sample += tile.samples)
+      render(block, means.subspan(b * pixels, pixels), counts);
+  }
 };
 
 }  // namespace carlo

@@ -1,6 +1,6 @@
 #include "render/light_pass.h"
 
-#include "image/luminance.h"
+#include "image/image.h"
 #include "numeric/compensated.h"
 
 #include <tbb/parallel_for.h>

@@ -5,12 +5,15 @@
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 #include "support/error.h"
+#include "support/quotes.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace bench {
@@ -45,28 +48,41 @@ Rung ours_at(const Compared& c, std::uint64_t seed, std::uint32_t samples, doubl
   }
 }
 
+/// The scenes that were asked for among those with a reference image, all by default. Throws Error
+/// if there is none of a name.
+std::set<std::string> wanted_scenes(const Options& options) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(options.references)) {
+    if (entry.path().extension() == ".exr") names.insert(entry.path().stem().string());
+  }
+  if (options.peer_scenes.empty()) return names;
+  for (const std::string& name : options.peer_scenes) {
+    if (names.count(name) == 0) {
+      throw carlo::Error("--scene: {} has no reference image; those that have one: {}",
+                         carlo::in_quotes(name), fmt::join(names, ", "));
+    }
+  }
+  return {options.peer_scenes.begin(), options.peer_scenes.end()};
+}
+
 }  // namespace
 
 Choice choose(const Options& options, Peer peer) {
-  std::set<fs::path> names;
-  for (const auto& entry : fs::directory_iterator(options.references)) {
-    if (entry.path().extension() == ".exr") names.insert(entry.path().stem());
-  }
   Choice choice;
-  for (const fs::path& name : names) {
-    Scene scene = carlo::load_scene(options.scenes / (name.string() + ".xml"));
+  for (const std::string& name : wanted_scenes(options)) {
+    Scene scene = carlo::load_scene(options.scenes / (name + ".xml"));
     if (const auto reason = obstacle(scene, peer)) {
-      choice.left_out.push_back(fmt::format("{} ({})", name.string(), *reason));
+      choice.left_out.push_back(fmt::format("{} ({})", name, *reason));
       continue;
     }
-    carlo::ExrFile reference = carlo::read_exr(options.references / (name.string() + ".exr"));
+    carlo::ExrFile reference = carlo::read_exr(options.references / (name + ".exr"));
     if (!reference.standard_error) continue;
     carlo::resize(scene, reference.image.width, reference.image.height);
     scene.sampler = carlo::SamplerKind::sobol;
     const double noise = rel_mse_noise(reference.image, *reference.standard_error);
-    choice.scenes.push_back({name.string(), std::move(scene), std::move(reference), noise});
+    choice.scenes.push_back({name, std::move(scene), std::move(reference), noise});
   }
-  if (choice.scenes.empty()) {
+  if (choice.scenes.empty() && options.peer_scenes.empty()) {
     throw carlo::Error("no scene with a reference image in {} is one that the peer can render",
                        options.references.string());
   }

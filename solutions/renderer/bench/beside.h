@@ -30,7 +30,7 @@ struct Choice {
   std::vector<Compared> scenes;
   std::vector<std::string> left_out;
 };
-/// Throws Error if there is none.
+/// Throws Error if there is none, unless scenes are named (Options::peer_scenes).
 Choice choose(const Options& options, Peer peer);
 
 /// One of another renderer's ways to render.

@@ -27,6 +27,9 @@ struct Options {
   std::string peers;                   ///< the Python that has the peers; empty: none are measured
   std::filesystem::path peer_scripts;  ///< the scripts that it runs
   std::vector<std::string> only;       ///< parts of the page; empty: all
+  /// What is measured beside other renderers; empty: all that can be.
+  std::vector<std::string> peer_scenes;
+  std::string peer;  ///< mitsuba, cycles or luxcore; empty: all that are installed
 };
 
 /// The output of every part of the benchmark: the page, and the same numbers as JSON.

@@ -44,6 +44,10 @@ int run(int argc, char** argv) {
   app.option("--seed", options.seed, "another seed gives other noise").show_default();
   app.option("--page", options.page, "where the page goes; beside it, the numbers as JSON")
       .default_value("out/bench.html");
+  app.option("--scene", options.peer_scenes, "for peers: these scenes alone, such as indirect,knot")
+      .list(',');
+  app.option("--peer", options.peer, "for peers: this renderer alone")
+      .one_of({"mitsuba", "cycles", "luxcore"});
   // Set by the script ./carlo.
   app.option("--scenes", options.scenes).default_value("common/scenes").hidden();
   app.option("--references", options.references).default_value("tests/references/scenes").hidden();

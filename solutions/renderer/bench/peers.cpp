@@ -38,6 +38,7 @@ constexpr const char* most_seconds = "900";
 
 struct Renderer {
   std::string name, module;  ///< for display, and for Python
+  std::string option;        ///< of --peer
   Peer peer;
   std::string script;
   std::vector<PeerWay> ways;
@@ -47,6 +48,7 @@ struct Renderer {
 const std::vector<Renderer>& renderers() {
   static const std::vector<Renderer> all = {
       {"Mitsuba 3",
+       "mitsuba",
        "mitsuba",
        Peer::mitsuba,
        "mitsuba_peer.py",
@@ -59,6 +61,7 @@ const std::vector<Renderer>& renderers() {
          {{"variant", "llvm_ad_rgb"}, {"integrator", "ptracer"}, {"points", "independent"}}}}},
       {"Cycles",
        "bpy",
+       "cycles",
        Peer::cycles,
        "cycles_peer.py",
        {{"light tree", {{"light_tree", true}, {"guiding", false}}},
@@ -66,6 +69,7 @@ const std::vector<Renderer>& renderers() {
         {"guiding", {{"light_tree", true}, {"guiding", true}}}}},
       {"LuxCore",
        "pyluxcore",
+       "luxcore",
        Peer::luxcore,
        "luxcore_peer.py",
        {{"PATHCPU", {{"integrator", "PATHCPU"}, {"caustic_cache", false}}},
@@ -281,6 +285,7 @@ void bench_peers(Context& context) {
   Peers peers(context);
   std::vector<Renderer> there;
   for (const Renderer& renderer : renderers()) {
+    if (!context.options().peer.empty() && context.options().peer != renderer.option) continue;
     if (starts({python, "-c", "import " + renderer.module})) {
       there.push_back(renderer);
     } else {

@@ -109,30 +109,30 @@ struct Run {
 HWY_INLINE Run run_from(const LaneScene& s, std::uint32_t i) {
   return {i, s.run_end[i]};
 }
-/// True if number i faces the same side as the run's first.
-HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
-  return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
-}
-
 /// Calls f with the numbers of all parallelograms of those patches of a run that are near one of
 /// the points p in the lanes of `active`; the points lie in its plane.
-template <class F>
-HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M active, const F& f) {
-  const std::uint32_t i = run.first;
-  const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
-  const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
-  for (std::uint32_t k = i; k < run.end; k = s.patch_end[k]) {
-    const M near = hn::And(hn::Le(hn::Abs(hn::Sub(a, set(s.patch_a[k]))), set(s.patch_half_a[k])),
-                           hn::Le(hn::Abs(hn::Sub(b, set(s.patch_b[k]))), set(s.patch_half_b[k])));
-    if (hn::AllFalse(d_, hn::And(near, active))) continue;
-    for (std::uint32_t member = k; member < s.patch_end[k]; ++member)
-      f(member);
+struct NearbyMembers {
+  template <class F>
+  HWY_INLINE void operator()(const LaneScene& s, const Run& run, V3 p, M active, const F& f) const {
+    const std::uint32_t i = run.first;
+    const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
+    const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
+    for (std::uint32_t k = i; k < run.end; k = s.patch_end[k]) {
+      const M near =
+          hn::And(hn::Le(hn::Abs(hn::Sub(a, set(s.patch_a[k]))), set(s.patch_half_a[k])),
+                  hn::Le(hn::Abs(hn::Sub(b, set(s.patch_b[k]))), set(s.patch_half_b[k])));
+      if (hn::AllFalse(d_, hn::And(near, active))) continue;
+      for (std::uint32_t member = k; member < s.patch_end[k]; ++member)
+        f(member);
+    }
   }
-}
+};
 
-/// intersect_flat() for each of a run, which is skipped if no ray meets its plane.
+/// intersect_flat() for those of a run that `members` calls, which is skipped if no ray meets its
+/// plane.
+template <class Members>
 HWY_INLINE void intersect_run(const LaneScene& s, const Run& run, const Origins& from, V3 d,
-                              V of_origin, Hits& hits) {
+                              V of_origin, const Members& members, Hits& hits) {
   const std::uint32_t i = run.first;
   const PlaneHit hit = intersect_plane<Outline::quad>(s, i, from.o, d);
   const M elsewhere = differs(set_word(s.plane[i]), from.plane);
@@ -150,8 +150,8 @@ HWY_INLINE void intersect_run(const LaneScene& s, const Run& run, const Origins&
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
   // Among overlapping parallelograms the one that faces the ray wins.
   M open = nearer;
-  for_nearby_members(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
-    const M front = alike(s, run, k) ? faced : facing;
+  members(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
+    const M front = s.turned[k] != 0 ? facing : faced;
     const M taken = hn::And(inside<Outline::quad>(s, k, p),
                             hn::Or(open, hn::And(hn::Or(nearer, level), front)));
     keep_nearer(hits, taken, t, set_word(k));
@@ -176,7 +176,7 @@ HWY_INLINE M run_occludes(const LaneScene& s, const Run& run, const Segments& se
   }
   const V3 p = add_scaled(segments.from.o, hit.t, segments.d);
   M within = hn::FirstN(d_, 0);
-  for_nearby_members(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
+  NearbyMembers()(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));
   });
   return hn::And(there, hn::And(between, within));

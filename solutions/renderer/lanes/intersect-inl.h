@@ -228,9 +228,10 @@ inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& fro
 }
 
 /// The first surface along rays, without sdfs and meshes; d has length 1. Results are valid only
-/// for the lanes of `wanted`.
-template <bool close, bool full>
-HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted) {
+/// for the lanes of `wanted`. `members` calls those of a run that the rays may meet.
+template <bool close, bool full, class Members = NearbyMembers>
+HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted,
+                        const Members& members = {}) {
   Hits hits{set(longest), set_word(nothing)};
   if (full && s.many) {
     closest_in_trees(s, from, d, wanted, hits);
@@ -242,7 +243,7 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted)
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
-      intersect_run(s, run, from, d, of_origin, hits);
+      intersect_run(s, run, from, d, of_origin, members, hits);
       i = run.end - 1;
     } else {
       intersect_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);

@@ -1,6 +1,6 @@
 #include "renderer/lanes/lane_integrator.h"
 
-#include "image/luminance.h"
+#include "image/image.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/scene.h"
@@ -153,8 +153,15 @@ class LaneIntegrator final : public carlo::Integrator {
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
+    render_blocks(tile, 1, means, counts);
+  }
+
+  void render_blocks(const carlo::Tile& tile, std::uint32_t blocks,
+                     std::span<std::array<double, 3>> means, carlo::Counts& counts) const override {
     const LaneChoices choices = shared(tile.light_path_share);
-    render_lanes(job(tile, choices), means, counts);
+    LaneJob of_tile = job(tile, choices);
+    of_tile.blocks = blocks;
+    render_lanes(of_tile, means, counts);
   }
 
   double seconds_spent() const override { return seconds_spent_; }

@@ -23,6 +23,7 @@
 #else
 // These follow the two headers above, which compile them anew.
 #include "renderer/lanes/light_paths-inl.h"
+#include "renderer/lanes/straight-inl.h"
 #include "renderer/lanes/tile-inl.h"
 #endif
 
@@ -62,6 +63,7 @@ HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
 
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
+  if (job.max_depth == 1 && job.scene.straight()) return run_straight(job, means, counts);
   with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
 }
 

@@ -82,6 +82,9 @@ void bound_patches(const carlo::Scene& scene, const std::vector<std::size_t>& qu
   for (std::uint32_t first = s.first_quad; first < s.first_disk; first = s.run_end[first]) {
     const Vec3d along_a(s.ax[first], s.ay[first], s.az[first]);
     const Vec3d along_b(s.bx[first], s.by[first], s.bz[first]);
+    for (std::uint32_t k = first; k < s.run_end[first]; ++k) {
+      s.turned[k] = s.nx[k] != s.nx[first] || s.ny[k] != s.ny[first] || s.nz[k] != s.nz[first];
+    }
     for (std::uint32_t k = first; k < s.run_end[first]; k = s.patch_end[k]) {
       s.patch_end[k] = std::min(k + static_cast<std::uint32_t>(patch_size), s.run_end[first]);
       Range a, b;

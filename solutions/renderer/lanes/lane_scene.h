@@ -96,6 +96,8 @@ struct LaneScene {
   /// For a parallelogram outside boxes: one past the last of the consecutive numbers from here on
   /// that share its plane.
   Column<std::uint32_t> run_end{room};
+  Column<std::uint32_t> turned{
+      room};  ///< true if its normal is opposite to that of the row's first
   /// Patches: a few parallelograms of a row that lie together (lane_runs.h). For the first of each:
   /// one past the last number, and the middle and half size of a rectangle around the patch, in the
   /// coordinates (a, b) of the row's first.
@@ -173,6 +175,9 @@ struct LaneScene {
     return any_specular || sphere_lights || disks() || other_lights() || searched() || many ||
            choice.many();
   }
+  /// True if the first surfaces of paths need nothing that only full code has: which lights emit
+  /// there, and what reflects, does not matter.
+  bool straight() const { return !(disks() || searched() || many || sky); }
 };
 
 }  // namespace renderer

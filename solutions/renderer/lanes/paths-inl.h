@@ -59,6 +59,7 @@ class Walk : Steps<Needs> {
     const Lookups found(s_, number);
     const ShadingPoints shading = this->locate(paths, vertex, number, found);
     add_emission(paths, vertex, shading);
+    if constexpr (Needs::straight) return;
     if (!this->survives(paths, shading)) return;
     this->arrive(paths, shading, vertex);
     const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
@@ -140,7 +141,7 @@ class Walk : Steps<Needs> {
                                const ShadingPoints& shading) const {
     if (s_.lights == 0) return;
     M bright = hn::And(shading.front, paths.alive);
-    if (s_.lights == 1 && !(Needs::full && s_.other_lights())) {
+    if (!Needs::straight && s_.lights == 1 && !(Needs::full && s_.other_lights())) {
       bright = hn::And(bright, same(shading.number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
@@ -148,6 +149,11 @@ class Walk : Steps<Needs> {
     V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
+    const V3 Le = at_surface(s_.le_r, s_.le_g, s_.le_b);
+    if constexpr (Needs::straight) {  // nothing else finds this light
+      paths.L = select(bright, paths.L + Le, paths.L);
+      return;
+    }
     const M whole = hn::Lt(paths.pdf, set(0));
     if (Needs::full && s_.any_mesh_light) {
       const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, shading.number)));
@@ -171,7 +177,6 @@ class Walk : Steps<Needs> {
     } else {
       weight = select(whole, set(1), this->weigh(hn::Div(pdf, paths.pdf)));
     }
-    const V3 Le = at_surface(s_.le_r, s_.le_g, s_.le_b);
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 

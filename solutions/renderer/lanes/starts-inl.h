@@ -41,13 +41,23 @@ HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
+/// A register of camera rays; of the last ones of a tile, only the first `count` lanes.
+struct CameraRays {
+  V3 d;
+  U key;  ///< of their pixels
+  U reversed_index;
+  std::uint32_t count;
+  int x, y;            ///< pixel of the first ray
+  int last_x, last_y;  ///< and of the last
+};
+
 /// A queue of a tile's samples, pixel by pixel, that start as lanes become free. They are prepared
 /// a register at a time.
 class Starts {
  public:
   HWY_ATTR explicit Starts(const LaneJob& job)
       : left_(
-            std::uint64_t{job.tile.samples} *
+            std::uint64_t{job.samples()} *
             static_cast<std::uint64_t>((job.tile.x1 - job.tile.x0) * (job.tile.y1 - job.tile.y0))),
         x_(job.tile.x0),
         y_(job.tile.y0),
@@ -61,6 +71,34 @@ class Starts {
     left_ -= allowed_;
     number_ = 0;
     return allowed_;
+  }
+
+  /// The rays of the next samples that may start, at least one.
+  HWY_INLINE CameraRays next_register() {
+    const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
+    const std::uint32_t samples = job_.samples();
+    if (sample_ == samples) next_pixel();
+    const int first_x = x_, first_y = y_;
+    const U lane = hn::Iota(du_, 0);
+    V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
+    U keys = set_word(pixel_key_), sample = hn::Add(lane, set_word(sample_));
+    std::uint32_t first = 0;  // first lane of the pixel
+    while (made - first > samples - sample_) {
+      first += samples - sample_;
+      next_pixel();
+      const auto next = hn::Gt(hn::Add(lane, set_word(1)), set_word(first));
+      const M next_f = hn::RebindMask(d_, next);
+      x = select(next_f, set(static_cast<float>(x_)), x);
+      y = select(next_f, set(static_cast<float>(y_)), y);
+      keys = hn::IfThenElse(next, set_word(pixel_key_), keys);
+      sample = hn::IfThenElse(next, hn::Sub(lane, set_word(first)), sample);
+    }
+    sample_ += made - first;
+    const U reversed = reverse_bits(hn::Add(sample, set_word(job_.tile.first_sample)));
+    const V2 jitter = points(job_, reversed, mix(keys));
+    const V3 d = camera_direction(job_, hn::Add(x, jitter.x), hn::Add(y, jitter.y));
+    allowed_ -= made;
+    return {d, keys, reversed, made, first_x, first_y, x_, y_};
   }
 
   /// Starts queued samples in free lanes.
@@ -128,38 +166,16 @@ class Starts {
       append_register();
   }
 
-  /// After the tile's last sample the rest of the register does not count as waiting.
   HWY_INLINE void append_register() {
-    const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
-    const std::uint32_t samples = job_.tile.samples;
-    if (sample_ == samples) next_pixel();
-    const U lane = hn::Iota(du_, 0);
-    V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
-    U keys = set_word(pixel_key_), sample = hn::Add(lane, set_word(sample_));
-    std::uint32_t first = 0;  // first lane of the pixel
-    while (made - first > samples - sample_) {
-      first += samples - sample_;
-      next_pixel();
-      const auto next = hn::Gt(hn::Add(lane, set_word(1)), set_word(first));
-      const M next_f = hn::RebindMask(d_, next);
-      x = select(next_f, set(static_cast<float>(x_)), x);
-      y = select(next_f, set(static_cast<float>(y_)), y);
-      keys = hn::IfThenElse(next, set_word(pixel_key_), keys);
-      sample = hn::IfThenElse(next, hn::Sub(lane, set_word(first)), sample);
-    }
-    sample_ += made - first;
-    const U reversed = reverse_bits(hn::Add(sample, set_word(job_.tile.first_sample)));
-    const V2 jitter = points(job_, reversed, mix(keys));
-    const V3 d = camera_direction(job_, hn::Add(x, jitter.x), hn::Add(y, jitter.y));
-    hn::StoreU(d.x, d_, dx_.data() + waiting_);
-    hn::StoreU(d.y, d_, dy_.data() + waiting_);
-    hn::StoreU(d.z, d_, dz_.data() + waiting_);
-    hn::StoreU(hn::Add(keys, set_word(key_step)), du_, key_.data() + waiting_);
-    hn::StoreU(reversed, du_, index_.data() + waiting_);
-    hn::StoreU(hn::Add(lane, set_word(number_)), du_, number_of_.data() + waiting_);
-    waiting_ += made;
-    number_ += made;
-    allowed_ -= made;
+    const CameraRays rays = next_register();
+    hn::StoreU(rays.d.x, d_, dx_.data() + waiting_);
+    hn::StoreU(rays.d.y, d_, dy_.data() + waiting_);
+    hn::StoreU(rays.d.z, d_, dz_.data() + waiting_);
+    hn::StoreU(hn::Add(rays.key, set_word(key_step)), du_, key_.data() + waiting_);
+    hn::StoreU(rays.reversed_index, du_, index_.data() + waiting_);
+    hn::StoreU(hn::Add(hn::Iota(du_, 0), set_word(number_)), du_, number_of_.data() + waiting_);
+    waiting_ += rays.count;
+    number_ += rays.count;
   }
 
   void next_pixel() {

@@ -40,10 +40,13 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 /// The features of a scene that the code is compiled for: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
 /// sdfs, meshes, emitting spheres, point lights, an environment map. `light_paths`: some paths
-/// start at the lights, and others leave contributions to them (light_paths-inl.h).
-template <bool phong_, bool close_, bool full_ = false, bool light_paths_ = false>
+/// start at the lights, and others leave contributions to them (light_paths-inl.h). `straight`: all
+/// paths end at their first surface (straight-inl.h).
+template <bool phong_, bool close_, bool full_ = false, bool light_paths_ = false,
+          bool straight_ = false>
 struct Features {
-  static constexpr bool phong = phong_, close = close_, full = full_, light_paths = light_paths_;
+  static constexpr bool phong = phong_, close = close_, full = full_, light_paths = light_paths_,
+                        straight = straight_;
 };
 
 struct Paths {

@@ -18,64 +18,73 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The radiances of a tile's pixels, summed in the order of the samples, since the order in which
-/// paths end depends on the number of lanes. Up to `most` samples are stored before they are added.
+/// The radiances of the blocks of a tile's pixels, summed in the order of the samples, since the
+/// order in which paths end depends on the number of lanes. Up to `most` samples are stored before
+/// they are added.
 class Sums {
  public:
   static constexpr std::uint32_t most = 1 << 14;
 
-  explicit Sums(const carlo::Tile& tile)
-      : samples_(tile.samples),
-        sums_(static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0))),
+  /// The means go to `means` as render_lanes() returns them.
+  Sums(const LaneJob& job, std::span<std::array<double, 3>> means)
+      : samples_(job.tile.samples),
+        blocks_(job.blocks),
+        means_(means),
         kept_(std::make_unique_for_overwrite<float[]>(
-            3 * std::min<std::size_t>(most, sums_.size() * samples_))) {}
+            3 * (std::min<std::size_t>(most, means.size() * samples_) + lanes))) {}
 
   /// Stores the radiances of paths that have ended, by Paths::number. Invalid values are counted
   /// and skipped, as in carlo::BlockSum.
   HWY_INLINE void keep(const Paths& paths, M ended, carlo::Counts& counts) {
-    const V3 L = paths.L;
-    const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
-                           hn::And(hn::Ge(L.z, set(0)),
-                                   hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
-    counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
+    const V3 L = valid(paths.L, ended, counts);
     const ToFront front(ended);
-    hn::StoreU(front(hn::IfThenElseZero(good, L.x)), d_, r_.data() + queued_);
-    hn::StoreU(front(hn::IfThenElseZero(good, L.y)), d_, g_.data() + queued_);
-    hn::StoreU(front(hn::IfThenElseZero(good, L.z)), d_, b_.data() + queued_);
+    hn::StoreU(front(L.x), d_, r_.data() + queued_);
+    hn::StoreU(front(L.y), d_, g_.data() + queued_);
+    hn::StoreU(front(L.z), d_, b_.data() + queued_);
     hn::StoreU(front(paths.number), du_, number_.data() + queued_);
     queued_ += hn::CountTrue(d_, ended);
     if (queued_ > queue_length) put_in_place();
   }
 
-  /// Adds the first `count` stored samples to the sums.
+  /// The same for a register of paths that are numbered from `first` on: the lanes of `ended`.
+  HWY_INLINE void keep_row(const Paths& paths, M ended, std::uint32_t first,
+                           carlo::Counts& counts) {
+    const V3 L = valid(paths.L, ended, counts);
+    hn::StoreInterleaved3(L.x, L.y, L.z, d_, kept_.get() + std::size_t{3} * first);
+  }
+
+  /// Adds the first `count` stored samples to the sums; completes the blocks that they end.
   void add(std::uint32_t count) {
     put_in_place();
     const float* next = kept_.get();
     while (count > 0) {
       const std::uint32_t here = std::min(count, samples_ - sample_);
-      next = add_to_pixel(here, next);
+      Four four = sample_ == 0 ? Four{} : four_;
+      next = add_to_block(here, next, four);
       count -= here;
-      if (sample_ < samples_) return;
-      for (std::size_t c = 0; c < 3; ++c)
-        sums_[pixel_][c] = (four_[c] + four_[3 + c]) + (four_[6 + c] + four_[9 + c]);
-      ++pixel_, sample_ = 0, four_.fill(0);
-    }
-  }
-
-  void means(std::span<std::array<double, 3>> result) const {
-    for (std::size_t i = 0; i < sums_.size(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c)
-        result[i][c] = sums_[i][c] / samples_;
+      if (sample_ < samples_) {
+        four_ = four;
+        return;
+      }
+      complete(four);
     }
   }
 
  private:
+  HWY_INLINE static V3 valid(V3 L, M ended, carlo::Counts& counts) {
+    const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
+                           hn::And(hn::Ge(L.z, set(0)),
+                                   hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
+    counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
+    return {hn::IfThenElseZero(good, L.x), hn::IfThenElseZero(good, L.y),
+            hn::IfThenElseZero(good, L.z)};
+  }
+
   void put_in_place() {
     for (std::size_t i = 0; i < queued_; ++i) {
       float* const kept = kept_.get() + std::size_t{3} * number_[i];
@@ -84,26 +93,34 @@ class Sums {
     queued_ = 0;
   }
 
-  /// Adds this many samples to a pixel; returns the next sample. Four interleaved sums hide the
-  /// latency of additions.
-  const float* add_to_pixel(std::uint32_t count, const float* next) {
+  /// Four interleaved sums hide the latency of additions.
+  using Four = std::array<double, 12>;
+
+  /// Adds this many samples to the block; returns the next sample.
+  HWY_INLINE const float* add_to_block(std::uint32_t count, const float* next, Four& four) {
     const std::uint32_t end = sample_ + count;
     const auto one = [&] {
       for (std::size_t c = 0; c < 3; ++c)
-        four_[sample_ % 4 * 3 + c] += static_cast<double>(*next++);
+        four[sample_ % 4 * 3 + c] += static_cast<double>(*next++);
       ++sample_;
     };
     while (sample_ < end && sample_ % 4 != 0)
       one();
-    std::array<double, 12> four = four_;
     for (; sample_ + 4 <= end; sample_ += 4, next += four.size()) {
       for (std::size_t i = 0; i < four.size(); ++i)
         four[i] += static_cast<double>(next[i]);
     }
-    four_ = four;
     while (sample_ < end)
       one();
     return next;
+  }
+
+  HWY_INLINE void complete(const Four& four) {
+    std::array<double, 3>& mean = means_[block_ * (means_.size() / blocks_) + pixel_];
+    for (std::size_t c = 0; c < 3; ++c)
+      mean[c] = ((four[c] + four[3 + c]) + (four[6 + c] + four[9 + c])) / samples_;
+    sample_ = 0;
+    if (++block_ == blocks_) block_ = 0, ++pixel_;
   }
 
   /// Paths that have ended are collected here, since branch prediction cannot foresee how many end
@@ -113,12 +130,14 @@ class Sums {
   std::array<std::uint32_t, queue_length + 2 * lanes> number_;
   std::size_t queued_ = 0;
 
-  std::uint32_t samples_;
-  std::vector<std::array<double, 3>> sums_;
-  std::unique_ptr<float[]> kept_;
-  std::size_t pixel_ = 0;          ///< the pixel that add() has reached,
-  std::uint32_t sample_ = 0;       ///< the number of its samples so far,
-  std::array<double, 12> four_{};  ///< and the four interleaved sums of them
+  std::uint32_t samples_, blocks_;
+  std::span<std::array<double, 3>> means_;
+  std::unique_ptr<float[]> kept_;  ///< with room for a register behind the last
+  /// What add() has reached: a pixel, a block of it, the number of the block's samples so far, and
+  /// their sums.
+  std::size_t pixel_ = 0;
+  std::uint32_t block_ = 0, sample_ = 0;
+  Four four_{};
 };
 
 }  // namespace HWY_NAMESPACE

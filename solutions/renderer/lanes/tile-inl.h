@@ -28,7 +28,7 @@ template <class Needs>
 HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts) {
   Starts starts(job);
-  Sums sums(job.tile);
+  Sums sums(job, means);
   const Walk<Needs> walk(job, counts);
   // One register of paths, or a batch if there may be sdfs; a constant for the compiler.
   constexpr std::size_t most = Needs::full ? batch : 1;
@@ -61,7 +61,6 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
       if (!hn::AllFalse(d_, ended)) sums.keep(paths[w], ended, counts);
     }
   }
-  sums.means(means);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -61,8 +61,8 @@ Shard shard_of(const std::string& text);
 BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool light_paths);
 
 /// Returns the blocks of a share that a film holds, rendered from this share alone. A tile's blocks
-/// are rendered in order; tiles differ by one after an interruption. Throws Error if they differ by
-/// more.
+/// are rendered in order; tiles differ by `most_passes_at_once` after an interruption. Throws Error
+/// if they differ by more.
 BlockSet blocks_done(const Film& film, const BlockRange& share);
 
 }  // namespace carlo

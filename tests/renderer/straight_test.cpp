@@ -1,0 +1,147 @@
+// Paths of one segment, and blocks of samples rendered at once: the vector kernel has code of its
+// own for both, with the same bits as without.
+
+#include "instruction_sets.h"
+#include "lane_scenes.h"
+#include "random/rng.h"
+#include "renderer/path_integrator.h"
+#include "scene_tools.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace scene_tools;
+using lane_scenes::add_box;
+
+float uniform(Rng& rng, float low, float high) {
+  return low + (high - low) * rng.uniform_float();
+}
+
+/// An orthonormal basis, its third axis at random.
+std::array<Vec3, 3> random_axes(Rng& rng) {
+  const Vec3 n = glm::normalize(
+      Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1)) + Vec3(0, 0, 1e-3f));
+  const Vec3 u = glm::normalize(glm::cross(n, std::abs(n.x) < .5f ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  return {u, glm::cross(n, u), n};
+}
+
+struct Plane {
+  Vec3 middle, along, n;
+};
+
+/// Adds parallelograms of one plane, of sizes from .03 to 2, some upon others and some facing the
+/// other way, each of a radiance of its own.
+Plane add_plane(Scene& scene, Rng& rng, int count, float scale, Vec3 center) {
+  const auto [u, v, n] = random_axes(rng);
+  const Vec3 middle = center + scale * uniform(rng, -1, 1) * n;
+  for (int i = 0; i < count; ++i) {
+    const float size = scale * std::pow(10.0f, uniform(rng, -1.5f, .3f));
+    const float turn = uniform(rng, 0, 6.28f), angle = turn + uniform(rng, .3f, 2.8f);
+    const Vec3 a = size * (std::cos(turn) * u + std::sin(turn) * v);
+    const Vec3 b = size * uniform(rng, .02f, 1) * (std::cos(angle) * u + std::sin(angle) * v);
+    const Vec3 corner = middle + scale * (uniform(rng, -1, 1) * u + uniform(rng, -1, 1) * v);
+    const Rgb radiance(static_cast<float>(scene.shapes.size() + 1));
+    const bool turned = rng.uniform_float() < .5f;
+    const Parallelogram shape = turned ? Parallelogram{corner, b, a} : Parallelogram{corner, a, b};
+    scene.shapes.push_back({shape, 0, radiance});
+  }
+  return {middle, u, n};
+}
+
+/// Black lights: planes of parallelograms, two spheres and a box. A third of the cameras are far, a
+/// third amidst, and a third look along a plane, close above it.
+Scene random_lights(std::uint64_t seed, float scale, Vec3 center, int max_depth) {
+  Rng rng(seed);
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0)}, true}};
+  Plane plane{};
+  for (int i = 0; i < 3; ++i)
+    plane = add_plane(scene, rng, 3 + static_cast<int>(uniform(rng, 0, 22)), scale, center);
+  for (int i = 0; i < 2; ++i) {
+    const Vec3 at(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+    scene.shapes.push_back(
+        {Sphere{center + scale * at, scale * uniform(rng, .02f, .1f)}, 0, Rgb(.5f)});
+  }
+  add_box(scene, center + scale * Vec3(.2f), scale * Vec3(.1f, 0, 0), scale * Vec3(0, .1f, 0),
+          scale * Vec3(0, 0, .1f), 0);
+  const Vec3 away(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+  if (seed % 3 == 0) {
+    const float height = std::pow(10.0f, uniform(rng, -3.5f, -.5f));
+    const Vec3 from = plane.middle - scale * plane.along + scale * height * plane.n;
+    scene.camera = look_at(from, plane.middle, plane.n, 60);
+  } else {
+    const Vec3 from = center + scale * (seed % 3 == 1 ? .5f : 4) * glm::normalize(away);
+    scene.camera = look_at(from, center, {.1f, .2f, 1}, 40);
+  }
+  scene.max_depth = max_depth;
+  scene.sampler = SamplerKind::sobol;
+  resize(scene, 37, 29);
+  return scene;
+}
+
+/// The means of three blocks of five samples, at once or one by one.
+std::vector<std::array<double, 3>> blocks_of(const Scene& scene, renderer::Kernel kernel,
+                                             bool at_once) {
+  const auto integrator = renderer::make_path_integrator(scene, {.seed = 4, .kernel = kernel});
+  carlo::Tile tile{.x0 = 3, .y0 = 2, .x1 = 14, .y1 = 9, .first_sample = 10, .samples = 5};
+  constexpr std::size_t pixels = 11 * 7;
+  std::vector<std::array<double, 3>> means(3 * pixels);
+  carlo::Counts counts;
+  if (at_once) {
+    integrator->render_blocks(tile, 3, means, counts);
+  } else {
+    for (std::size_t b = 0; b < 3; ++b, tile.first_sample += tile.samples)
+      integrator->render(tile, std::span(means).subspan(b * pixels, pixels), counts);
+  }
+  CHECK(counts.paths == 3 * 5 * pixels);
+  return means;
+}
+
+}  // namespace
+
+// Where everything is black, a second segment adds nothing, but takes the code for all paths.
+TEST_CASE("Paths of one segment have the bits of longer ones in the dark") {
+  struct Place {
+    float scale;
+    Vec3 center;
+  };
+  const std::vector<Place> places = {{1, {0, 0, 0}},
+                                     {1e-4f, {0, 0, 0}},
+                                     {1e6f, {0, 0, 0}},
+                                     {1, {30, -50, 20}},
+                                     {1, {3e3f, 2e3f, -1e3f}}};
+  int lit = 0;
+  instruction_sets::on_all([&] {
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+      const auto& [scale, center] = places[seed % places.size()];
+      const std::uint32_t spp = std::array{1u, 8u, 24u, 64u}[seed / 5 % 4];
+      INFO("seed " << seed << ", spp " << spp << ", scale " << scale);
+      const auto image = [&](int max_depth) {
+        return render_scene(random_lights(seed, scale, center, max_depth), spp, 1, 1).film.mean();
+      };
+      const Image straight = image(1);
+      CHECK(straight.pixels == image(2).pixels);
+      for (const Rgb& pixel : straight.pixels)
+        lit += pixel.x > 0;
+    }
+  });
+  CHECK(lit > 20000);  // of 128760 for each instruction set
+}
+
+TEST_CASE("Blocks of samples are the same whether rendered at once or not") {
+  instruction_sets::on_all([] {
+    for (const int max_depth : {1, 3}) {
+      Scene scene = random_lights(1, 1, {0, 0, 0}, max_depth);
+      scene.materials[0] = {Diffuse{Rgb(.6f)}, true};
+      for (const renderer::Kernel kernel : {renderer::Kernel::best, renderer::Kernel::scalar})
+        CHECK(blocks_of(scene, kernel, true) == blocks_of(scene, kernel, false));
+    }
+  });
+}
