@@ -2,6 +2,7 @@
 
 #include "numeric/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,5 +28,10 @@ struct Image {
   Rgb& at(int x, int y) { return pixels[index(x, y)]; }
   const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
 };
+
+/// Relative luminance of linear sRGB (ITU-R BT.709).
+inline double luminance(const std::array<double, 3>& c) {
+  return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
 
 }  // namespace carlo

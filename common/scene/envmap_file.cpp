@@ -2,8 +2,8 @@
 
 #include "image/exr.h"
 #include "image/hdr.h"
-#include "scene/similarity.h"
 #include "scene/text.h"
+#include "scene/transforms.h"
 #include "support/byte_order_mark.h"
 #include "support/error.h"
 

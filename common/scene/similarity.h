@@ -2,8 +2,6 @@
 
 #include <glm/glm.hpp>
 
-#include <optional>
-
 namespace carlo {
 
 /// p = origin + scale * rotation * q: a rotation or reflection, a uniform scaling and a
@@ -22,10 +20,5 @@ struct Similarity {
 inline Similarity operator*(const Similarity& outer, const Similarity& inner) {
   return {outer.rotation * inner.rotation, outer(inner.origin), outer.scale * inner.scale};
 }
-
-/// The similarity equal to an affine transform, its rotation made orthogonal to double precision;
-/// nothing if the transform shears or scales directions differently by more than the precision of
-/// numbers in scene files.
-std::optional<Similarity> similarity(const glm::dmat4& transform);
 
 }  // namespace carlo

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "numeric/vec.h"
+#include "scene/similarity.h"
 #include "scene/xml_source.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,5 +33,10 @@ Vec3 transform_vector(const glm::dmat4& transform, glm::dvec3 v, Position at);
 /// True if two directions have the same length and are at right angles, within the precision of
 /// numbers in scene files (a relative 1e-4).
 bool equal_and_orthogonal(glm::dvec3 a, glm::dvec3 b);
+
+/// The similarity equal to an affine transform, its rotation made orthogonal to double precision;
+/// nothing if the transform shears or scales directions differently by more than the precision of
+/// numbers in scene files.
+std::optional<Similarity> similarity(const glm::dmat4& transform);
 
 }  // namespace carlo

@@ -1,6 +1,5 @@
 #include "course/report/chart.h"
 #include "course/report/format.h"
-#include "course/report/slider.h"
 #include "course/viewer/tiles.h"
 #include "experiments.h"
 #include "pi.h"

@@ -1,4 +1,4 @@
-#include "course/report/slider.h"
+#include "course/report/chart.h"
 #include "course/viewer/tiles.h"
 #include "pictures.h"
 

@@ -1,6 +1,6 @@
 #include "pictures.h"
 
-#include "course/viewer/picture.h"
+#include "course/viewer/packed.h"
 #include "course/viewer/tiles.h"
 
 #include <fmt/core.h>

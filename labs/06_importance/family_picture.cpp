@@ -1,5 +1,4 @@
 #include "course/report/chart.h"
-#include "course/report/slider.h"
 #include "course/viewer/tiles.h"
 #include "pictures.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/envmap_table.h"
 
-#include "image/luminance.h"
+#include "image/image.h"
 #include "numeric/robust.h"
 #include "renderer/warp.h"
 

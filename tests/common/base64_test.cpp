@@ -1,6 +1,4 @@
-#include "course/viewer/base64.h"
-
-#include "course/viewer/picture.h"
+#include "course/viewer/packed.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -2,9 +2,8 @@
 // rounded once, like the standard library's fma; and elementary functions are as accurate as
 // claimed, compared with the standard library's double versions.
 
-#include "lane_math.h"
-
 #include "instruction_sets.h"
+#include "lane_records.h"
 #include "random/rng.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,9 +1,8 @@
 // Hierarchies of shapes in lanes, on all instruction sets of this machine: rays find in a tree what
 // they find when they try each shape, to the last bit.
 
-#include "tree_lanes.h"
-
 #include "instruction_sets.h"
+#include "lane_records.h"
 #include "random/rng.h"
 #include "renderer/lanes/lane_plan.h"
 #include "renderer/lanes/lane_scene.h"

@@ -121,12 +121,18 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CARLO_SANITIZE)
   target_compile_options(carlo_unhurried INTERFACE -Wno-maybe-uninitialized)
 endif()
 
-# carlo_library(NAME [UNHURRIED] SOURCES a.cpp ... DEPENDS carlo::x lib ... [PRIVATE_DEPENDS lib ...])
-# One library for one folder of common/, known as carlo::NAME. Without SOURCES it is
-# header-only.
+# carlo_library(NAME [IN folder] [UNHURRIED] SOURCES a.cpp ... DEPENDS carlo::x lib ... [PRIVATE_DEPENDS lib ...])
+# One library for one folder of common/, known as carlo::NAME. Without SOURCES it is header-only. Without
+# the folder, which a student's tree may lack, there is none.
 function(carlo_library name)
-  cmake_parse_arguments(ARG "UNHURRIED" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "UNHURRIED" "IN" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target common_${name})
+  if(ARG_IN)
+    if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${ARG_IN}")
+      return()
+    endif()
+    list(TRANSFORM ARG_SOURCES PREPEND "${ARG_IN}/")
+  endif()
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/common")

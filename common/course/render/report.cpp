@@ -1,7 +1,7 @@
 #include "course/render/report.h"
 
 #include "course/json/json_fields.h"
-#include "image/luminance.h"
+#include "image/image.h"
 #include "numeric/compensated.h"
 #include "render/light_coverage.h"
 #include "scene/needs.h"

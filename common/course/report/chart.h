@@ -3,6 +3,7 @@
 #include "course/report/plot.h"
 #include "stats/fit.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,5 +42,17 @@ std::string legend_html(std::span<const Key> keys);
 /// Returns the figure: title, legend, drawing, and all numbers in a folded table. Names in the
 /// legend show and hide their series.
 std::string chart_html(const Chart& chart);
+
+/// Returns a slider over `content` (trusted HTML), for Page::raw_html(): `words` has the text for
+/// each of its positions; it begins at `start`.
+std::string slider_html(std::string_view label, const std::vector<std::string>& words,
+                        std::size_t start, std::string_view content);
+
+/// Returns the part of the content's drawings that is shown only at the positions from `first` to
+/// `last`.
+std::string shown_at(std::size_t first, std::size_t last, std::string_view svg);
+
+/// Returns the script that moves all sliders of a page, for Page::script(), once.
+std::string_view slider_script();
 
 }  // namespace carlo

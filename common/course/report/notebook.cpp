@@ -1,7 +1,7 @@
 #include "course/report/notebook.h"
 
 #include "course/cli/wrap.h"
-#include "course/report/crash_note.h"
+#include "course/report/signals.h"
 #include "support/terminal.h"
 
 #include <fmt/core.h>

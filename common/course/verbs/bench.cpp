@@ -1,4 +1,5 @@
-// The verb bench: the suite's measurements.
+// The verbs bench and fuzz: the suite's measurements, and random bytes for all code that reads
+// input from outside.
 
 #include "course/verbs/course.h"
 
@@ -137,5 +138,17 @@ static int bench(Course& course, const Words& words) {
 }
 
 static const Verb bench_verb("bench", bench);
+
+static int fuzz(Course& course, const Words& words) {
+  const fs::path& root = course.tree.root;
+  course.tree.need({"build", "develop"});
+  Building fuzzed(course.tree, "fuzz");
+  fuzzed.build({"carlo_fuzz", "carlo_render"});
+  Words command = list_of(
+      {root / "tests/fuzz/run.sh", "--build", fuzzed.folder(), "--keep", root / "out/fuzz"});
+  throw HandOver{command += words};
+}
+
+static const Verb fuzz_verb("fuzz", fuzz);
 
 }  // namespace carlo::verbs

@@ -1,4 +1,5 @@
-// The verb slides: the lecture, made by Marp (slides/tool).
+// The verbs slides and site: the lecture, made by Marp (slides/tool), and the course in a browser
+// (slides/site).
 
 #include "course/verbs/course.h"
 
@@ -81,5 +82,25 @@ static int slides(Course& course, const Words& words) {
 }
 
 static const Verb slides_verb("slides", slides);
+
+static int site(Course& course, const Words& words) {
+  const Tree& tree = course.tree;
+  std::filesystem::path out = tree.root / "out/site";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (asks_for_help(words[i])) {
+      tree.print_help("site");
+      return 0;
+    }
+    if (words[i] != "-o") unknown("site", words[i]);
+    out = std::filesystem::absolute(value_behind(words, i, "site"));
+  }
+  tree.need({"node", "site"});
+  install_packages(tree, "slides", "build/slides", "Marp");
+  course.building.build(list_of({"carlo_site_native", "carlo_slide_plot", "carlo_render"}));
+  throw HandOver{
+      list_of({"node", tree.root / "slides/site/site.mjs", course.building.folder() / "bin", out})};
+}
+
+static const Verb site_verb("site", site);
 
 }  // namespace carlo::verbs

@@ -1,5 +1,4 @@
-#include "course/verdict/figure_json.h"
-
+#include "course/verdict/verdict_json.h"
 #include "support/error.h"
 #include "support/number.h"
 

@@ -1,6 +1,5 @@
 #include "course/verdict/verdict_json.h"
 
-#include "course/verdict/figure_json.h"
 #include "course/verdict/printed.h"
 #include "support/error.h"
 

@@ -13,7 +13,7 @@ constexpr std::size_t most_json_bytes = 2'000'000;
 
 /// The only format in which verdicts are written and read: one member for each of LabResult,
 /// ExerciseResult, TestRecord, Verdict, Diagnosis, Effect by its name; and the sums "points" and
-/// "max" of a lab. Exact comparisons have no "p"; only failed ones have a figure (figure_json.h).
+/// "max" of a lab. Exact comparisons have no "p"; only failed ones have a figure.
 /// Writing a lab cuts long texts and drops what would make the document too large: the last
 /// figures, printed texts, verdicts; "cut" is true if verdicts are missing. `looked_for` is not
 /// kept.
@@ -24,5 +24,9 @@ void fields(JsonFields& json, ExerciseResult& result);
 /// of a lab's verdicts.
 std::string to_text(const LabResult& result);
 LabResult lab_result_from_text(const std::string& text);
+
+/// "kind" is "histogram", "points", "grid" or "listing"; numbers keep six digits. Reading throws
+/// Error for a figure above the size limits: it may come from a file that somebody else wrote.
+void fields(JsonFields& json, Figure& figure);
 
 }  // namespace carlo

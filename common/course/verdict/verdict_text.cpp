@@ -1,7 +1,6 @@
 #include "course/verdict/verdict_text.h"
 
 #include "course/cli/wrap.h"
-#include "course/verdict/crash_line.h"
 #include "course/verdict/printed.h"
 #include "support/terminal.h"
 

@@ -2,6 +2,8 @@
 
 #include "course/verdict/verdict.h"
 
+#include <fmt/core.h>
+
 #include <string>
 
 namespace carlo {
@@ -22,5 +24,14 @@ std::string by_itself_text(const ExerciseResult& result);
 
 /// Says what went wrong in one line; empty if it passed.
 std::string message(const ExerciseResult& result);
+
+/// What line_command() shows: how a student learns in which line a program crashed, if no report
+/// has named it.
+constexpr const char* which_line = "To find the line of the crash (the first build takes minutes)";
+
+/// Returns the command to type; `exercise` is a number such as "1.2".
+inline std::string line_command(const std::string& exercise) {
+  return fmt::format("CARLO_PRESET=debug ./carlo test {}", exercise);
+}
 
 }  // namespace carlo

@@ -1,12 +1,13 @@
 #include "course/viewer/packed.h"
 
-#include "course/viewer/base64.h"
+#include "image/png.h"
 #include "support/error.h"
 
 #include <zlib.h>
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,20 @@ std::string deflated(const std::vector<Bytef>& bytes) {
 
 }  // namespace
 
+std::string base64(std::string_view bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      word = word << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? digits[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
 std::string packed(std::span<const float> values) {
   const std::size_t n = values.size();
   std::vector<Bytef> planes(3 * n);
@@ -57,6 +72,10 @@ std::string packed(const Image& image) {
       values.push_back(pixel[c]);
   }
   return packed(values);
+}
+
+std::string picture_url(const Image& image, double white) {
+  return "data:image/png;base64," + base64(png(image, static_cast<float>(-std::log2(white))));
 }
 
 }  // namespace carlo

@@ -2,7 +2,7 @@
 
 #include "course/report/chart.h"
 #include "course/report/html.h"
-#include "course/viewer/picture.h"
+#include "course/viewer/packed.h"
 
 #include <fmt/core.h>
 

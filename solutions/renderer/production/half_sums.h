@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/luminance.h"
+#include "image/image.h"
 
 #include <array>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "grader/judge/crash.h"
 
-#include "grader/protocol/stack_report.h"
+#include "grader/protocol/frame.h"
 
 #include <fmt/core.h>
 

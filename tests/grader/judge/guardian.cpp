@@ -1,7 +1,6 @@
 #include "grader/judge/guardian.h"
 
 #include "grader/judge/kinship.h"
-#include "grader/judge/survivors.h"
 #include "support/error.h"
 
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 #include "grader/judge/judge.h"
 
-#include "grader/judge/current_run.h"
+#include "grader/judge/run.h"
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_case_info.hpp>

@@ -1,7 +1,7 @@
 #include "grader/judge/process.h"
 
+#include "grader/judge/kinship.h"
 #include "grader/judge/spawn.h"
-#include "grader/judge/survivors.h"
 #include "grader/judge/waits.h"
 #include "grader/judge/watch.h"
 #include "support/error.h"

@@ -135,4 +135,8 @@ std::uint64_t local_seed();
 /// Hashes a text to a word (FNV-1a, then mixed): seeds follow from names.
 std::uint64_t word_of(const std::string& text);
 
+/// The run that test cases report to: Catch2 calls them without arguments, so it must be reachable
+/// from anywhere. main() creates it before the first test case starts.
+std::unique_ptr<Run>& current_run();
+
 }  // namespace carlo::grader

@@ -1,6 +1,5 @@
 #include "grader/page/exercise.h"
 
-#include "course/verdict/crash_line.h"
 #include "course/verdict/verdict_text.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"

@@ -39,4 +39,8 @@ std::string encode(const Frame& frame);
 /// long, of impossible sizes. Never reads outside `bytes`.
 std::optional<Frame> decode(std::string_view bytes);
 
+/// What a worker says on stderr when its stack is full: these two, and between them the stack's
+/// size in MB.
+constexpr std::string_view stack_report = "the stack is full: ", stack_report_end = " MB";
+
 }  // namespace carlo::grader

@@ -16,19 +16,20 @@ lab_names() { (cd "$1/labs" && printf '%s\n' [0-9][0-9]_*/lab.json | sed 's,/lab
 # number_of LAB: 07_hemisphere -> 7
 number_of() { printf '%d' "$((10#${1%%_*}))"; }
 
-# missing_folders K: prints a regular expression for the folders of common/ that no lab up to K uses.
-missing_folders() {
-  awk -v last="$1" '$1 > last {print "^common/" $2 "/"}' <<'END'
-2 image
-2 numeric
-2 course/viewer
-4 sampling
-8 geometry
-8 render
-8 scene
-8 scenes
-8 course/render
-99 course/slurm
+# missing_parts K: prints regular expressions for the parts of common/ that no lab up to K uses.
+missing_parts() {
+  awk -v last="$1" '$1 > last {print "^common/" $2}' <<'END'
+2 image/
+2 numeric/
+2 course/viewer/
+4 sampling/
+8 geometry/
+8 render/
+8 scene/
+8 scenes/
+8 course/render/
+99 course/slurm/
+99 course/verbs/(bench|grade|npm|slides)\.cpp$
 END
 }
 
@@ -73,7 +74,7 @@ released_solutions() {
 # student_files ROOT K: lists all of these, sorted.
 student_files() {
   {
-    all_files "$1" | grep -E -f <(student_patterns "$1" "$2") | grep -Ev -f <(missing_folders "$2")
+    all_files "$1" | grep -E -f <(student_patterns "$1" "$2") | grep -Ev -f <(missing_parts "$2")
     released_solutions "$1" "$2"
   } | LC_ALL=C sort
 }

@@ -1,4 +1,4 @@
-#include "course/verdict/figure_json.h"
+#include "course/verdict/verdict_json.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/figures.h"
 #include "random/rng.h"

@@ -1,7 +1,7 @@
 #include "grader/worker/full_stack.h"
 
 #include "course/report/signal_handler.h"
-#include "grader/protocol/stack_report.h"
+#include "grader/protocol/frame.h"
 
 #include <fmt/format.h>
 #include <pthread.h>
