@@ -1,5 +1,4 @@
-#include "scene/duplicate_faces.h"
-
+#include "scene/duplicates.h"
 #include "scene/needs.h"
 #include "scene/repeats.h"
 

@@ -1,6 +1,4 @@
-#include "scene/duplicate_lights.h"
-
-#include "scene/duplicate_faces.h"
+#include "scene/duplicates.h"
 #include "scene/repeats.h"
 
 #include <fmt/format.h>

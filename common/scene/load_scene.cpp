@@ -2,8 +2,7 @@
 
 #include "scene/center.h"
 #include "scene/digits.h"
-#include "scene/duplicate_faces.h"
-#include "scene/duplicate_lights.h"
+#include "scene/duplicates.h"
 #include "scene/envmap_file.h"
 #include "scene/grammar.h"
 #include "scene/materials.h"

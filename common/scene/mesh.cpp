@@ -1,4 +1,4 @@
-#include "scene/duplicate_faces.h"
+#include "scene/duplicates.h"
 #include "scene/mesh_file.h"
 #include "scene/shapes.h"
 #include "scene/text.h"

@@ -2,7 +2,7 @@
 
 #include "course/cli/source_folder.h"
 #include "mesh_helpers.h"
-#include "scene/duplicate_faces.h"
+#include "scene/duplicates.h"
 #include "scene/mesh_file.h"
 #include "scene/needs.h"
 

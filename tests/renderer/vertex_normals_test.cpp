@@ -2,7 +2,7 @@
 // the standard error must be below .5 %; seeds are fixed.
 
 #include "renderer/lanes/lane_kernel.h"
-#include "scene/duplicate_faces.h"
+#include "scene/duplicates.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_test_macros.hpp>

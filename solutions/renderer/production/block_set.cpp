@@ -120,7 +120,8 @@ BlockSet blocks_done(const Film& film, const BlockRange& share) {
       next.push_back(share.first_pass(next.size(), tiles) + film.blocks(x, y));
   }
   const auto [least, most] = std::minmax_element(next.begin(), next.end());
-  if (*most - *least > 1 + most_passes_at_once) throw Error("its tiles are not those of one render");
+  if (*most - *least > 1 + most_passes_at_once)
+    throw Error("its tiles are not those of one render");
   const std::uint64_t all = std::min(*least * tiles, share.end);
   std::vector<BlockRange> ranges{{std::min(share.begin, all), all}};
   for (std::uint64_t pass = *least; pass < *most; ++pass) {

@@ -2,6 +2,7 @@
 
 #include "scene/mesh_file.h"
 #include "scene/scene.h"
+#include "scene/xml_source.h"
 
 #include <array>
 #include <cstddef>
@@ -39,5 +40,11 @@ CoincidentFaces find_coincident_faces(const MeshFile& file, const std::vector<Ve
 /// two-sided surfaces write such pairs; which of the two a ray met was chance, and a light that is
 /// met from behind is dark.
 void mark_back_to_back(Scene& scene);
+
+/// Leaves out lights that coincide with another light, up to the rounding of their corners, and
+/// face the same way: parallelograms, spheres, disks, and triangles of meshes, which may be half of
+/// a parallelogram. A ray meets only one of them, but both would give light. A note says how many.
+/// Throws Error `at` if the two differ in radiance or material.
+void leave_out_duplicate_lights(Scene& scene, Position at);
 
 }  // namespace carlo
