@@ -131,7 +131,8 @@ Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& s
   const carlo::Stopwatch stopwatch;
   carlo::RenderResult result = carlo::render(integrator, scene.width, scene.height,
                                              {.spp = spp, .threads = 1, .progress = false});
-  return {std::move(result.film), stopwatch.seconds(), static_cast<double>(result.counts.paths)};
+  return {std::move(result.film), stopwatch.seconds(), static_cast<double>(result.counts.paths),
+          static_cast<double>(result.counts.rays)};
 }
 
 using carlo::Image;

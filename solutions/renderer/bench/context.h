@@ -76,7 +76,7 @@ carlo::Cell seconds_spread_cell(const Spread& spread);
 struct Rendered {
   carlo::Film film;
   double seconds;  ///< of one processor
-  double paths;
+  double paths, rays;
 };
 Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
                       std::uint32_t spp);
@@ -90,6 +90,7 @@ void bench_shapes(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
+void bench_floors(Context& context);
 /// Does nothing without a Python that has the peers.
 void bench_peers(Context& context);
 

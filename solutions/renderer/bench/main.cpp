@@ -26,7 +26,7 @@ const std::vector<Part> parts = {
     {"threads", 4, bench::bench_threads}, {"triangles", 8, bench::bench_triangles},
     {"shapes", 20, bench::bench_shapes},  {"lights", 5, bench::bench_lights},
     {"depth", 3, bench::bench_depth},     {"needs", 3, bench::bench_needs},
-    {"peers", 900, bench::bench_peers}};
+    {"floors", 20, bench::bench_floors},  {"peers", 900, bench::bench_peers}};
 
 int run(int argc, char** argv) {
   bench::Options options;
