@@ -132,7 +132,7 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
                  std::optional<std::uint32_t> pilot_spp)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
-    if (!pilot_spp) return;
+    if (!pilot_spp || scene.max_depth == 1) return;  // light paths have two segments or more
     const auto start = std::chrono::steady_clock::now();
     choices_.light_paths = try_light_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
     seconds_spent_ =
