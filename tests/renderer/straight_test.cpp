@@ -120,11 +120,12 @@ TEST_CASE("Paths of one segment have the bits of longer ones in the dark") {
   int lit = 0;
   instruction_sets::on_all([&] {
     for (std::uint64_t seed = 1; seed <= 120; ++seed) {
-      const auto& [scale, center] = places[seed % places.size()];
+      const Place& place = places[seed % places.size()];
       const std::uint32_t spp = std::array{1u, 8u, 24u, 64u}[seed / 5 % 4];
-      INFO("seed " << seed << ", spp " << spp << ", scale " << scale);
+      INFO("seed " << seed << ", spp " << spp << ", scale " << place.scale);
       const auto image = [&](int max_depth) {
-        return render_scene(random_lights(seed, scale, center, max_depth), spp, 1, 1).film.mean();
+        return render_scene(random_lights(seed, place.scale, place.center, max_depth), spp, 1, 1)
+            .film.mean();
       };
       const Image straight = image(1);
       CHECK(straight.pixels == image(2).pixels);
