@@ -35,6 +35,7 @@ common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.envmap = |<emitter type="envmap">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
+solutions/renderer/bench/floors.cpp|lights.environment = |makes a scene
 solutions/renderer/bench/shapes.cpp|lights.environment = |makes a scene
 solutions/renderer/bench/shapes.cpp|lights.points.push_back|makes a scene
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
