@@ -31,6 +31,8 @@ function buildModule() {
   const folder = path.join(root, "build/site");
   // Debian's Emscripten looks for its optimiser's packages where Debian's node does.
   const env = { ...process.env, NODE_PATH: "/usr/share/nodejs" };
+  // What was compiled before, in any tree.
+  if (spawnSync("ccache", ["--version"]).status === 0) Object.assign(env, { EM_COMPILER_WRAPPER: "ccache", CCACHE_BASEDIR: root });
   fs.mkdirSync(folder, { recursive: true });
   say("building the WebAssembly module ...");
   if (!fs.existsSync(path.join(folder, "build.ninja"))) run("emcmake", ["cmake", "-G", "Ninja", "-S", here, "-B", folder], { env });

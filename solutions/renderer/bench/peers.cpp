@@ -177,8 +177,13 @@ class Peers {
   void measure_all(const Renderer& renderer, double from, double to) {
     const Choice choice = choose(context_.options(), renderer.peer);
     if (!choice.left_out.empty()) {
-      context_.page().prose(fmt::format("{} has no exact equal of: {}.", renderer.name,
-                                        fmt::join(choice.left_out, ", ")));
+      const std::string line = fmt::format("{} has no exact equal of: {}.", renderer.name,
+                                           fmt::join(choice.left_out, ", "));
+      // Who names a scene is told at once.
+      if (context_.options().peer_scenes.empty())
+        context_.page().prose(line);
+      else
+        context_.remark(line);
     }
     const double share = (to - from) / static_cast<double>(choice.scenes.size());
     for (std::size_t i = 0; i < choice.scenes.size(); ++i)
