@@ -158,7 +158,8 @@ class Starts {
 
   /// Moves the rest of the queue to its front and appends registers of samples. Appends several at
   /// a time, since branch prediction cannot foresee when more are needed.
-  HWY_INLINE void prepare() {
+  /// Not inlined: the loop over paths needs the registers.
+  HWY_NOINLINE void prepare() {
     move(dx_, d_), move(dy_, d_), move(dz_, d_);
     move(key_, du_), move(index_, du_), move(number_of_, du_);
     first_ = 0;
