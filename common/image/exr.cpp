@@ -168,7 +168,11 @@ std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& 
     last = std::max(last, places[name]);
   }
   std::map<std::string, std::vector<std::uint32_t>> counts;
-  if (places.empty()) return counts;
+  // A render's sums fill its image. In a larger one they would take memory that no size of the file
+  // limits.
+  const bool fill =
+      std::int64_t{window.width()} * window.height() <= std::int64_t{spec.width} * spec.height;
+  if (places.empty() || !fill) return counts;
   const std::size_t stride = last - first + 1;
   const auto data = read_channels<std::uint32_t>(in, spec, first, stride, path);
   for (const auto& [name, place] : places) {
