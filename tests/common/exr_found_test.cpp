@@ -53,6 +53,18 @@ std::string with_windows(Box display, Box data) {
   return exr_bytes(display, data, pixels);
 }
 
+TEST_CASE("Of an EXR's counts none is read where they do not fill its image") {
+  const TemporaryFolder scratch;
+  const auto path = scratch.path() / "a.exr";
+  const Box data{0, 0, 1, 0};
+  for (const Box& display : {data, Box{0, 0, 5791, 5791}}) {  // almost 2^25 pixels
+    write_file(path, exr_bytes_of(ExrType::whole, display, data, {{1, 2, 3}, {4, 5, 6}}));
+    const auto counts = read_exr(path, {"R", "G"}).counts;
+    CHECK(counts.size() == (display.right == data.right ? 2 : 0));
+    if (!counts.empty()) CHECK(counts.at("G") == std::vector<std::uint32_t>{2, 5});
+  }
+}
+
 TEST_CASE("An EXR's image is its display window, black where it has no data") {
   const Box display{10, 20, 13, 21};
   const std::vector<Box> windows = {{10, 20, 13, 21}, {11, 20, 12, 20}, {8, 18, 15, 25},

@@ -19,7 +19,6 @@
 namespace bench {
 namespace {
 
-namespace fs = std::filesystem;
 using carlo::Image;
 using carlo::Scene;
 
@@ -51,10 +50,7 @@ Rung ours_at(const Compared& c, std::uint64_t seed, std::uint32_t samples, doubl
 /// The scenes that were asked for among those with a reference image, all by default. Throws Error
 /// if there is none of a name.
 std::set<std::string> wanted_scenes(const Options& options) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(options.references)) {
-    if (entry.path().extension() == ".exr") names.insert(entry.path().stem().string());
-  }
+  const std::set<std::string> names = reference_scenes(options);
   if (options.peer_scenes.empty()) return names;
   for (const std::string& name : options.peer_scenes) {
     if (names.count(name) == 0) {

@@ -137,6 +137,14 @@ Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& s
 
 using carlo::Image;
 
+std::set<std::string> reference_scenes(const Options& options) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(options.references)) {
+    if (entry.path().extension() == ".exr") names.insert(entry.path().stem().string());
+  }
+  return names;
+}
+
 Reference read_reference(const std::filesystem::path& path, int size) {
   const carlo::ExrFile file = carlo::read_exr(path);
   if (!file.standard_error) throw carlo::Error("{} has no standard error", path.string());

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,6 +104,9 @@ struct Reference {
   carlo::Image image;
   double noise = 0;  ///< the mean over pixels and channels of its squared standard error
 };
+
+/// The scenes that have a reference image.
+std::set<std::string> reference_scenes(const Options& options);
 
 /// Throws Error when the file's size is not a multiple of `size`, or it lacks the standard error.
 Reference read_reference(const std::filesystem::path& path, int size);

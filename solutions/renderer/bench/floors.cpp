@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 // How far the time of a path is from that of its rays' intersections alone.
@@ -27,16 +27,12 @@ struct Floored {
 /// All scenes with a reference image, on small films.
 std::vector<Floored> all_scenes(const Options& options) {
   std::vector<Floored> cases;
-  for (const auto& entry : std::filesystem::directory_iterator(options.references)) {
-    if (entry.path().extension() != ".exr") continue;
-    const std::string name = entry.path().stem().string();
+  for (const std::string& name : reference_scenes(options)) {
     Scene scene = carlo::load_scene(options.scenes / (name + ".xml"));
     carlo::resize(scene, 128, 128);
     scene.sampler = carlo::SamplerKind::sobol;
     cases.push_back({name, std::move(scene)});
   }
-  std::sort(cases.begin(), cases.end(),
-            [](const Floored& a, const Floored& b) { return a.name < b.name; });
   return cases;
 }
 

@@ -12,13 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 // Error against samples and against seconds: integrators and samplers on scenes.
 
 namespace bench {
 namespace {
 
-namespace fs = std::filesystem;
 using carlo::SamplerKind;
 using carlo::Scene;
 
@@ -34,12 +34,8 @@ Plan plan(const Options& options) {
     return {
         {"cornell_lambert", "cornell_phong", "soft_shadows", "caustics"}, 32, 5, {4, 16, 64, 256}};
   }
-  Plan full{{}, 64, 5, {4, 16, 64, 256, 1024}};
-  for (const auto& entry : fs::directory_iterator(options.references)) {
-    if (entry.path().extension() == ".exr") full.scenes.push_back(entry.path().stem().string());
-  }
-  std::sort(full.scenes.begin(), full.scenes.end());
-  return full;
+  const std::set<std::string> all = reference_scenes(options);
+  return {{all.begin(), all.end()}, 64, 5, {4, 16, 64, 256, 1024}};
 }
 
 /// All runs of one way with one number of samples.

@@ -36,7 +36,8 @@ class SeenMembers {
       : job_(job),
         s_(job.scene),
         width_(std::clamp(static_cast<int>(samples / job.samples()), 1, carlo::driver_tile_size)),
-        members_(s_.first_disk - s_.first_quad) {}
+        members_(s_.first_disk - s_.first_quad),
+        count_(members_.size()) {}
 
   /// Prepares for rays; false if they lead through pixels that are not taken together.
   HWY_INLINE bool covers(const CameraRays& rays) {
@@ -52,9 +53,9 @@ class SeenMembers {
   /// As NearbyMembers. Calls them in the same order.
   template <class F>
   HWY_INLINE void operator()(const LaneScene&, const Run& run, V3, M, const F& f) const {
-    for (std::uint32_t k = 0; k < count_; ++k) {
-      if (members_[k] >= run.first && members_[k] < run.end) f(members_[k]);
-    }
+    const std::uint32_t first = run.first - s_.first_quad;
+    for (std::uint32_t k = first; k < first + count_[first]; ++k)
+      f(members_[k]);
   }
 
  private:
@@ -66,7 +67,6 @@ class SeenMembers {
   int cell(int x) const { return job_.tile.x0 + (x - job_.tile.x0) / width_ * width_; }
 
   void look() {
-    count_ = 0;
     for (std::uint32_t i = s_.first_quad; i < s_.first_disk; i = s_.run_end[i]) {
       if (s_.run_end[i] > i + 1) look_at(run_from(s_, i));
     }
@@ -111,15 +111,18 @@ class SeenMembers {
 
   HWY_INLINE void look_at(const Run& run) {
     const Corners c = corners(run);
+    const std::uint32_t first = run.first - s_.first_quad;
+    std::uint32_t count = 0;
     for (std::uint32_t row = run.first / lanes * lanes; row < run.end; row += lanes) {
       std::uint32_t seen = c.ahead ? bits(hn::And(meets(c, s_.ax, s_.ay, s_.az, s_.a0, row),
                                                   meets(c, s_.bx, s_.by, s_.bz, s_.b0, row)))
                                    : ~std::uint32_t{0};
       for (std::uint32_t k = 0; k < lanes; ++k) {
         if ((seen >> k & 1) != 0 && row + k >= run.first && row + k < run.end)
-          members_[count_++] = row + k;
+          members_[first + count++] = row + k;
       }
     }
+    count_[first] = count;
   }
 
   /// Whether the pixels' image comes between -reach and reach of this coordinate of each member.
@@ -143,8 +146,8 @@ class SeenMembers {
   const LaneScene& s_;
   int width_;            ///< pixels taken together
   int x_ = -1, y_ = -1;  ///< the first of them
-  std::uint32_t count_ = 0;
-  std::vector<std::uint32_t> members_;  ///< as many as `count_`
+  /// Of a run that begins with the i-th parallelogram: count_[i] members, from members_[i] on.
+  std::vector<std::uint32_t> members_, count_;
 };
 
 /// run() for scenes whose longest path has one segment, with the same bits: no lane outlives

@@ -51,7 +51,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/carlo"
 {
   student_files "$root" "$lab"
-  all_files "$root" | grep -E '^(tests/grader/grade|common/course/slurm)/'
+  all_files "$root" | grep -E '^(tests/grader/grade|common/course/slurm)/|^common/course/verbs/(grade|npm)\.cpp$'
   if grep -q '"uses"' "$root"/labs/"$(printf '%02d' "$lab")"_*/lab.json; then
     released_solutions "$root" "$((lab + 1))" | grep "^solutions/$(printf '%02d' "$lab")_"
   fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # gradescope_test.sh SOURCE: run_autograder with a fake grader: results come through complete, and
-# any failure gives JSON with a message and without score and tests.
+# any failure gives JSON with a message and without score and tests. The zip's tree can be built.
 set -euo pipefail
 source=$1
 scratch=$(mktemp -d)
@@ -61,6 +61,17 @@ expect_failure 'there are no results' "$out; printf '{\"score\": 1}' >\"\$result
 expect_failure 'grading took more than 2 seconds' 'sleep 30'
 expect_failure 'grading took more than 2 seconds, or was killed' 'kill -9 $$'
 [ -z "$(ls "$TMPDIR")" ] || complain "submissions stay in the folder of temporary files"
+
+# The zip's tree, as its set-up has it built: first of all the verbs, grade among them.
+"$source/tests/grader/release/gradescope.sh" 1 --dirty -o "$scratch/lab1.zip" >"$scratch/stdout" || complain "no zip"
+mkdir "$scratch/zip"
+(cd "$scratch/zip" && cmake -E tar xf "$scratch/lab1.zip")
+{ cmake -S "$scratch/zip/carlo" -B "$scratch/build" && cmake --build "$scratch/build" --target carlo_verbs; } \
+  >"$scratch/stdout" 2>&1 || complain "the verbs cannot be built: $(tail -n 20 "$scratch/stdout")"
+targets=$(cmake --build "$scratch/build" --target help)
+for target in carlo_grade lab01_judge; do
+  [[ $targets == *$target* ]] || complain "the zip's tree has no $target"
+done
 
 printf '%d failures\n' "$failures"
 [ "$failures" = 0 ]
