@@ -50,7 +50,7 @@ Rung ours_at(const Compared& c, std::uint64_t seed, std::uint32_t samples, doubl
 /// The scenes that were asked for among those with a reference image, all by default. Throws Error
 /// if there is none of a name.
 std::set<std::string> wanted_scenes(const Options& options) {
-  const std::set<std::string> names = reference_scenes(options);
+  std::set<std::string> names = reference_scenes(options);
   if (options.peer_scenes.empty()) return names;
   for (const std::string& name : options.peer_scenes) {
     if (names.count(name) == 0) {
