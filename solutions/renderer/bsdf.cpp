@@ -1,6 +1,5 @@
 #include "bsdf.h"
 
-#include "frame.h"
 #include "numeric/robust.h"
 #include "warp.h"
 

@@ -1,6 +1,5 @@
 #include "lights.h"
 
-#include "frame.h"
 #include "mesh_light.h"
 #include "numeric/robust.h"
 #include "scene/center.h"

@@ -36,7 +36,9 @@ int main(int argc, char** argv) {
               scene, {.seed = seed,
                       .spp = spp,
                       .kernel = choice,
-                      .technique = technique_of(technique, light_paths)});
+                      .technique = technique_of(technique, light_paths),
+                      .guidance = technique == "auto" ? renderer::Guidance::automatic
+                                                      : renderer::Guidance::none});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,
@@ -45,7 +47,8 @@ int main(int argc, char** argv) {
               .show_default();
           app.option("--technique", technique,
                      "path: all paths start at the camera; bidirectional: some at the lights, for "
-                     "caustics and hidden lights; auto: the better by a short trial")
+                     "caustics and hidden lights; auto: the better by a short trial, and paths "
+                     "guided to where light was found, if another finds that it pays")
               .one_of({"auto", "path", "bidirectional"})
               .show_default();
           app.footer("./carlo render --mine ... renders by your own lab 8.");

@@ -308,9 +308,10 @@ std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
   if (options.kernel == Kernel::best && vector_kernel_suits(scene)) {
     LaneChoices choices = options.choices;
     if (bidirectional) choices.light_paths = 1;
-    std::optional<std::uint32_t> pilot_spp;
-    if (options.technique == Technique::automatic) pilot_spp = options.spp;
-    return make_lane_integrator(scene, options.seed, choices, pilot_spp);
+    const bool automatic = options.technique == Technique::automatic;
+    return make_lane_integrator(
+        scene, options.seed, choices,
+        {.spp = options.spp, .light_paths = automatic, .guidance = options.guidance});
   }
   if (bidirectional) {
     throw carlo::Error(

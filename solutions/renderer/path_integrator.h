@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/integrator.h"
+#include "renderer/lanes/lane_integrator.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "scene/scene.h"
 
@@ -21,7 +22,8 @@ struct PathOptions {
   std::uint32_t spp = 64;  ///< planned samples per pixel, for the stratified sampler
   Kernel kernel = Kernel::best;
   Technique technique = Technique::path;
-  LaneChoices choices{};  ///< for the vector kernel, for measurements
+  Guidance guidance = Guidance::none;  ///< by the vector kernel
+  LaneChoices choices{};               ///< for the vector kernel, for measurements
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling

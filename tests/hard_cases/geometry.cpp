@@ -3,7 +3,6 @@
 #include "hard_case.h"
 #include "numeric/robust.h"
 #include "random/rng.h"
-#include "renderer/frame.h"
 #include "renderer/warp.h"
 
 #include <fmt/core.h>

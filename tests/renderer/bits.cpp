@@ -1,6 +1,6 @@
-// carlo_bits: the SHA-256 of each scene's sums, by both techniques on each instruction set of this
-// machine, and by the scalar kernel. Every machine, compiler and standard library must reproduce
-// those in tests/references/bits.txt (written by tests/references/bits.sh).
+// carlo_bits: the SHA-256 of each scene's sums, by both techniques, and guided, on each instruction
+// set of this machine, and by the scalar kernel. Every machine, compiler and standard library must
+// reproduce those in tests/references/bits.txt (written by tests/references/bits.sh).
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -41,6 +41,7 @@ std::vector<Way> ways() {
   std::vector<Way> ways;
   ways.push_back({"path", {.spp = spp, .technique = path}, true});
   ways.push_back({"bidirectional", {.spp = spp, .technique = bidirectional}, true});
+  ways.push_back({"guided", {.spp = spp, .guidance = renderer::Guidance::always}, true});
   ways.push_back({"scalar", {.spp = spp, .kernel = renderer::Kernel::scalar}, false});
   return ways;
 }

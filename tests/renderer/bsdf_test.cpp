@@ -2,7 +2,6 @@
 
 #include "closed_forms.h"
 #include "random/rng.h"
-#include "renderer/frame.h"
 #include "renderer/warp.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -49,15 +49,19 @@ struct Way {
   const char* name;
   Technique technique;
   std::optional<double> target = {};
+  renderer::Guidance guidance = renderer::Guidance::none;
 };
-const std::array<Way, 4> ways{{{"path", Technique::path},
-                               {"bidirectional", Technique::bidirectional},
-                               {"path to target", Technique::path, 0.2},
-                               {"both to target", Technique::bidirectional, 0.2}}};
+const std::array<Way, 6> ways{
+    {{"path", Technique::path},
+     {"bidirectional", Technique::bidirectional},
+     {"path to target", Technique::path, 0.2},
+     {"both to target", Technique::bidirectional, 0.2},
+     {"guided", Technique::path, {}, renderer::Guidance::always},
+     {"both, guided", Technique::bidirectional, {}, renderer::Guidance::always}}};
 
 Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::uint32_t spp = 64) {
-  const auto integrator =
-      renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .technique = way.technique});
+  const auto integrator = renderer::make_path_integrator(
+      scene, {.seed = seed, .spp = spp, .technique = way.technique, .guidance = way.guidance});
   const RenderResult result =
       way.target
           ? render_adaptively(*integrator, side, side, {*way.target, spp, {}}, {.progress = false})

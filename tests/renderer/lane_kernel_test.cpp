@@ -1,10 +1,10 @@
 // The vector kernel and the scalar integrator agree: on every tile and in the mean of every scene
-// that the kernel supports, with Sobol' and with independent points. A tile's channel is outside 5
-// standard errors with probability 5.7e-7, the image outside 3 with 2.7e-3: for 42 images with
-// three channels each, which are correlated in most, another seed would fail somewhere with
-// probability .1 to .25, so the seed is fixed. Standard errors of Sobol' points are upper bounds.
-// Power: as in agreement_test.cpp, where deviations of 8 (tiles) and 6 (images) standard errors are
-// detected with probability .999; both sides get 1024 samples per pixel.
+// that the kernel supports, with Sobol' and with independent points, and guided. A tile's channel
+// is outside 5 standard errors with probability 5.7e-7, the image outside 3 with 2.7e-3: for 63
+// images with three channels each, which are correlated in most, another seed would fail somewhere
+// with probability .15 to .35, so the seed is fixed. Standard errors of Sobol' points are upper
+// bounds. Power: as in agreement_test.cpp, where deviations of 8 (tiles) and 6 (images) standard
+// errors are detected with probability .999; both sides get 1024 samples per pixel.
 
 #include "lab_scenes.h"
 #include "lane_scenes.h"
@@ -35,12 +35,22 @@ Scene small(Scene scene, SamplerKind sampler) {
   return scene;
 }
 
-tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint64_t seed) {
+tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint64_t seed,
+                         renderer::Guidance guidance = renderer::Guidance::none) {
   constexpr tiles::Samples samples{32, 32};
   const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed, .spp = samples.per_pixel(), .kernel = kernel});
+      scene, {.seed = seed, .spp = samples.per_pixel(), .kernel = kernel, .guidance = guidance});
   return tiles::estimate(*integrator, scene.width, 8, samples);
 }
+
+struct KernelWay {
+  const char* name;
+  SamplerKind sampler;
+  renderer::Guidance guidance = renderer::Guidance::none;
+};
+constexpr KernelWay kernel_ways[] = {{"independent", SamplerKind::independent},
+                                     {"Sobol'", SamplerKind::sobol},
+                                     {"guided", SamplerKind::sobol, renderer::Guidance::always}};
 
 }  // namespace
 
@@ -50,9 +60,9 @@ TEST_CASE("The vector kernel agrees with the scalar integrator", "[.scalar]") {
   for (const auto& [name, full] : scenes) {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
     const tiles::Estimate oracle = oracle::of({name, full});
-    for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
-      const Scene scene = small(full, sampler);
-      const tiles::Estimate kernel = estimate(scene, renderer::Kernel::best, 2);
+    for (const KernelWay& way : kernel_ways) {
+      const Scene scene = small(full, way.sampler);
+      const tiles::Estimate kernel = estimate(scene, renderer::Kernel::best, 2, way.guidance);
       double worst = 0, whole = 0;
       for (std::size_t c = 0; c < 3; ++c) {
         whole = std::max(whole, std::abs(tiles::z(oracle.whole[c], kernel.whole[c])));
@@ -60,9 +70,8 @@ TEST_CASE("The vector kernel agrees with the scalar integrator", "[.scalar]") {
           worst = std::max(worst, std::abs(tiles::z(oracle.tiles[i][c], kernel.tiles[i][c])));
         }
       }
-      INFO(name << (sampler == SamplerKind::sobol ? ", Sobol'" : ", independent") << ": worst tile "
-                << worst << ", image " << whole);
-      fmt::print("{:<20} tile |z| {:.2f}, image |z| {:.2f}\n", name, worst, whole);
+      INFO(name << ", " << way.name << ": worst tile " << worst << ", image " << whole);
+      fmt::print("{:<20} {:<12} tile |z| {:.2f}, image |z| {:.2f}\n", name, way.name, worst, whole);
       CHECK(worst <= 5);
       CHECK(whole <= 3);
       CHECK(kernel.counts.bad == 0);

@@ -2,7 +2,6 @@
 // rounded once, like the standard library's fma; and elementary functions are as accurate as
 // claimed, compared with the standard library's double versions.
 
-#include "instruction_sets.h"
 #include "lane_records.h"
 #include "random/rng.h"
 

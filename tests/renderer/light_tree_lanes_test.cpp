@@ -5,7 +5,6 @@
 // lights and places in all; seeds are fixed, another would fail somewhere with probability 2e-3.
 // Power: a probability of .05 that is off by a tenth is detected with probability above .999.
 
-#include "instruction_sets.h"
 #include "lane_records.h"
 #include "random/hash.h"
 #include "random/rng.h"

@@ -2,10 +2,10 @@
 
 // Signed distance functions and rays that are hard for root finders.
 
+#include "lane_records.h"
 #include "numeric/robust.h"
 #include "random/rng.h"
 #include "scene/sdf.h"
-#include "sdf_lanes.h"
 #include "sdf_places.h"
 
 #include <algorithm>

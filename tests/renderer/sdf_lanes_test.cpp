@@ -1,10 +1,8 @@
 // Tests where rays meet signed distance functions in lanes, on all instruction sets of this
 // machine: judges hits by F alone and compares them with the SphereTracer's.
 
-#include "sdf_lanes.h"
-
 #include "geometry/sphere_tracer.h"
-#include "instruction_sets.h"
+#include "lane_records.h"
 #include "random/rng.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "sdf_cases.h"

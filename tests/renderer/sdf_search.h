@@ -4,8 +4,8 @@
 // promises in SphereTracer's comment.
 
 #include "geometry/sphere_tracer.h"
+#include "lane_records.h"
 #include "scene/sdf.h"
-#include "sdf_lanes.h"
 
 #include <algorithm>
 #include <cmath>

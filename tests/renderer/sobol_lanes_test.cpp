@@ -2,7 +2,7 @@
 // agrees with sampling/sobol.h bit for bit, and their distribution is compared with the scalar
 // sampler's.
 
-#include "instruction_sets.h"
+#include "lane_records.h"
 #include "random/hash.h"
 #include "random/to_float.h"
 #include "sampling/samplers.h"

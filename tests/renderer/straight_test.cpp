@@ -1,7 +1,7 @@
 // Paths of one segment, and blocks of samples rendered at once: the vector kernel has code of its
 // own for both, with the same bits as without.
 
-#include "instruction_sets.h"
+#include "lane_records.h"
 #include "lane_scenes.h"
 #include "random/rng.h"
 #include "renderer/path_integrator.h"

@@ -1,7 +1,6 @@
 // Hierarchies of shapes in lanes, on all instruction sets of this machine: rays find in a tree what
 // they find when they try each shape, to the last bit.
 
-#include "instruction_sets.h"
 #include "lane_records.h"
 #include "random/rng.h"
 #include "renderer/lanes/lane_plan.h"

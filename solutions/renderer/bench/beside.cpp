@@ -23,8 +23,11 @@ using carlo::Image;
 using carlo::Scene;
 
 Rung render_ours(const Compared& c, std::uint64_t seed, std::uint32_t samples, Image& image) {
-  const auto integrator = renderer::make_path_integrator(
-      c.scene, {.seed = seed, .spp = samples, .technique = renderer::Technique::automatic});
+  const auto integrator =
+      renderer::make_path_integrator(c.scene, {.seed = seed,
+                                               .spp = samples,
+                                               .technique = renderer::Technique::automatic,
+                                               .guidance = renderer::Guidance::automatic});
   const Rendered rendered = render_timed(*integrator, c.scene, samples);
   image = rendered.film.mean();
   return {static_cast<double>(samples), rendered.seconds + integrator->seconds_spent(),

@@ -37,8 +37,11 @@ std::vector<Floored> all_scenes(const Options& options) {
 }
 
 Rendered render_one(const Scene& scene, std::uint64_t seed, std::uint32_t samples) {
-  const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed, .spp = samples, .technique = renderer::Technique::automatic});
+  const auto integrator =
+      renderer::make_path_integrator(scene, {.seed = seed,
+                                             .spp = samples,
+                                             .technique = renderer::Technique::automatic,
+                                             .guidance = renderer::Guidance::automatic});
   return render_timed(*integrator, scene, samples);
 }
 

@@ -47,6 +47,7 @@ struct Variant {
   carlo::SamplerKind sampler = carlo::SamplerKind::sobol;
   renderer::LaneChoices choices{};
   renderer::Technique technique = renderer::Technique::automatic;  ///< as in `./carlo render`
+  renderer::Guidance guidance = renderer::Guidance::automatic;
   std::vector<double> seconds{}, rel_mse{}, product{};
 };
 
@@ -66,6 +67,7 @@ std::vector<Variant> variants(const Arguments& a) {
   result.push_back(
       {.name = "independent points", .kernel = kernel, .sampler = carlo::SamplerKind::independent});
   if (kernel == "scalar") return result;
+  result.push_back({.name = "not guided", .kernel = kernel, .guidance = renderer::Guidance::none});
   result.push_back(
       {.name = "no light paths", .kernel = kernel, .technique = renderer::Technique::path});
   result.push_back(
@@ -85,6 +87,7 @@ void render_once(carlo::Scene scene, const carlo::Image& reference, const Argume
               .spp = a.spp,
               .kernel = scalar ? renderer::Kernel::scalar : renderer::Kernel::best,
               .technique = variant.technique,
+              .guidance = variant.guidance,
               .choices = variant.choices});
   const carlo::RenderResult result =
       carlo::render(*integrator, scene.width, scene.height,

@@ -1,6 +1,7 @@
 #include "renderer/lanes/lane_integrator.h"
 
 #include "image/image.h"
+#include "random/hash.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/scene.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,10 +34,28 @@ constexpr double ray_cost = 1.3;
 /// mirrors or glass, which focus light, or lobes, which do so a little, they are expected to be.
 constexpr double least_gain = 3, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
 
+/// A render learns where light is from one in this many of its paths, from at most `most_lessons`,
+/// and not at all if that leaves less than `least_lessons`. The first ones decide whether to go on.
+constexpr double lesson_share = 16;
+constexpr double least_lessons = 1 << 14, most_lessons = 1 << 18, first_lessons = 1 << 13;
+/// What a guide costs a render once, in lessons: so much must the first ones gain to make up for
+/// it. That a guided ray costs a tenth more is made up for by what the others teach.
+constexpr double guide_cost = 12000;
+
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
   double rays = 0;
 };
+
+/// Sets the mean and the variance of pixel i.
+void add(std::span<const std::array<double, 3>> of_blocks, Trial& trial, std::size_t i) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0, squares = 0;
+    for (const auto& mean : of_blocks)
+      sum += mean[c] / blocks, squares += mean[c] * mean[c] / blocks;
+    trial.mean[i][c] = sum, trial.variance[i][c] = squares - sum * sum;
+  }
+}
 
 class Pilot {
  public:
@@ -46,18 +66,14 @@ class Pilot {
     const LaneChoices choices{.light_paths = light_paths ? 1.0f : 0.0f};
     carlo::Counts counts;
     Trial trial{Means(pixels()), Means(pixels()), 0};
-    for (std::uint32_t b = 0; b < blocks; ++b) {
-      const Means block = render(b, choices, counts);
-      for (std::size_t i = 0; i < pixels(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          trial.mean[i][c] += block[i][c] / blocks;
-          trial.variance[i][c] += block[i][c] * block[i][c] / blocks;
-        }
-      }
-    }
+    std::vector<Means> images;
+    for (std::uint32_t b = 0; b < blocks; ++b)
+      images.push_back(render(b, choices, counts));
     for (std::size_t i = 0; i < pixels(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c)
-        trial.variance[i][c] -= trial.mean[i][c] * trial.mean[i][c];
+      std::array<std::array<double, 3>, blocks> of_blocks;
+      for (std::uint32_t b = 0; b < blocks; ++b)
+        of_blocks[b] = images[b][i];
+      add(of_blocks, trial, i);
     }
     trial.rays = static_cast<double>(counts.rays);
     return trial;
@@ -103,38 +119,143 @@ double relative_variance(const Trial& trial, const Means& means) {
   return sum;
 }
 
-/// True if a render of this scene should trace a light path for each path from the camera.
-/// Both techniques are tried on an image of few pixels and compared by the relative variance of a
-/// pixel times the number of rays. Always true where points shine on mirrors or glass: other paths
-/// miss that light. The same seed and spp give the same answer. Traces about 0.6 % as many paths as
-/// the render, and at least 25000.
-bool try_light_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
-                     std::uint32_t spp) {
-  if (!lanes.has_path_starts()) return false;
-  // No other path finds what points send by mirrors and glass.
-  if (lanes.point_lights() && lanes.any_specular) return true;
-  const double paths = static_cast<double>(scene.width) * scene.height * spp / share;
-  const double side = std::sqrt(paths / (blocks * samples));
-  const Pilot pilot(scene, lanes, seed, static_cast<int>(std::clamp(side, 8.0, 64.0)));
-  const Trial without = pilot.run(false), with = pilot.run(true);
-  const double cost = lanes.full() ? 1 : ray_cost;
-  // The better image serves both, so that light that one of them missed does not look dark.
-  const double before = relative_variance(without, with.mean) * without.rays;
-  const double after = relative_variance(with, with.mean) * with.rays * cost;
-  const double gain = lanes.any_specular ? least_gain_with_mirrors
-                      : lanes.phong      ? least_gain_with_lobes
-                                         : least_gain;
-  return after * gain < before;
-}
+/// Decides by short renders of few pixels how to render a scene, by the relative variance of a
+/// pixel times the number of rays. The same seed and number of samples give the same answers.
+class Decision {
+ public:
+  Decision(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed, std::uint32_t spp)
+      : scene_(scene),
+        lanes_(lanes),
+        seed_(seed),
+        paths_(static_cast<double>(scene.width) * scene.height * spp),
+        pilot_(scene, lanes, seed, side_of(paths_ / share / (blocks * samples), 8)) {}
+
+  /// True if there should be a light path for each path from the camera. Always so where points
+  /// shine on mirrors or glass: other paths miss that light. Traces about 0.6 % as many paths as
+  /// the render, and at least 25000.
+  bool light_paths() {
+    if (!lanes_.has_path_starts()) return false;
+    if (lanes_.point_lights() && lanes_.any_specular) return true;
+    const Trial without = pilot_.run(false), with = pilot_.run(true);
+    const double cost = lanes_.full() ? 1 : ray_cost;
+    const double least = lanes_.any_specular ? least_gain_with_mirrors
+                         : lanes_.phong      ? least_gain_with_lobes
+                                             : least_gain;
+    // The better image serves both, so that light that one of them missed does not look dark.
+    return gain(without, with, with.mean) > least * cost;
+  }
+
+  /// Where paths find light, if it pays to be guided by it. Traces up to a sixteenth as many paths
+  /// as the render, and at most 2^18; a 64th if it does not pay, none for a short render.
+  std::optional<Guide> guide(Guidance guidance, const LaneChoices& choices) const {
+    const double lessons = std::min(paths_ / lesson_share, most_lessons);
+    const bool always = guidance == Guidance::always;
+    if (guidance == Guidance::none || (!always && lessons < least_lessons)) return std::nullopt;
+    const double first = std::max(lessons / 8, first_lessons);
+    GuideLearner learner;
+    teach(learner, first, choices, 1);
+    if (!always) {
+      const Guide guide = learner.learn();
+      const Trial without = try_guide(choices, nullptr), with = try_guide(choices, &guide);
+      if (gain_by_guide(without, with) < 1 + guide_cost / lessons) return std::nullopt;
+    }
+    if (lessons > first) teach(learner, lessons - first, choices, 2);
+    return learner.learn();
+  }
+
+ private:
+  static int side_of(double pixels, double least) {
+    return static_cast<int>(std::clamp(std::sqrt(pixels), least, 64.0));
+  }
+
+  /// How many times less relative variance times rays there is with something than without.
+  static double gain(const Trial& without, const Trial& with, const Means& mean) {
+    return relative_variance(without, mean) * without.rays /
+           (relative_variance(with, mean) * with.rays);
+  }
+
+  /// The same by the geometric mean over pixels, each of which has few blocks: the mean would
+  /// follow the few with a rare bright path.
+  static double gain_by_guide(const Trial& without, const Trial& with) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < with.mean.size(); ++i) {
+      const double before = carlo::luminance(without.variance[i]);
+      const double after = carlo::luminance(with.variance[i]);
+      if (before > 0 && after > 0) sum += std::log(before / after), ++count;
+    }
+    return count > 0 ? std::exp(sum / count) * without.rays / with.rays : 0;
+  }
+
+  /// Renders some of the image's pixels by camera paths, others than those of the image.
+  Trial try_guide(const LaneChoices& choices, const Guide* guide) const {
+    constexpr double pixel_share = 1 << 14;
+    const int side = static_cast<int>(std::clamp(std::sqrt(paths_ / pixel_share), 8.0, 16.0));
+    const auto pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    Trial trial{Means(pixels), Means(pixels), 0};
+    carlo::Counts counts;
+    for (int i = 0; i < side * side; ++i) {
+      const std::uint64_t random = carlo::hash(seed_, 3, i);
+      const auto at = [&](int part, int size, std::uint64_t word) {
+        const double inside = static_cast<double>(word & 0xFFFF) * 0x1p-16;
+        return static_cast<int>((part + inside) * size / side);
+      };
+      const int x = at(i % side, scene_.width, random);
+      const int y = at(i / side, scene_.height, random >> 32);
+      const carlo::Tile tile{x, y, x + 1, y + 1, 0, samples / 2, 0};
+      LaneJob of_pixel = job(tile, choices, 3, scene_.width, scene_.height);
+      of_pixel.blocks = blocks;
+      of_pixel.guide = guide;
+      std::array<std::array<double, 3>, blocks> of_blocks;
+      render_lanes(of_pixel, of_blocks, counts);
+      add(of_blocks, trial, static_cast<std::size_t>(i));
+    }
+    trial.rays = static_cast<double>(counts.rays);
+    return trial;
+  }
+
+  void teach(GuideLearner& learner, double lessons, const LaneChoices& choices,
+             std::uint64_t number) const {
+    constexpr std::uint32_t a_pixel = 64;
+    const int side = side_of(lessons / a_pixel, 1);
+    const carlo::Tile tile{0, 0, side, side, 0, a_pixel, 0};
+    LaneJob lesson = job(tile, choices, number, side, side);
+    lesson.learner = &learner;
+    Means means(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    carlo::Counts counts;
+    render_lanes(lesson, means, counts);
+  }
+
+  /// Other paths than those of the image, which would be biased otherwise: `number` is not 0.
+  LaneJob job(const carlo::Tile& tile, const LaneChoices& choices, std::uint64_t number, int width,
+              int height) const {
+    return {lanes_,
+            scene_.camera,
+            width,
+            height,
+            scene_.max_depth,
+            carlo::hash(seed_, 0x6D1DE, number),
+            lanes_.sobol,
+            tile,
+            choices};
+  }
+
+  const carlo::Scene& scene_;
+  const LaneScene& lanes_;
+  std::uint64_t seed_;
+  double paths_;
+  Pilot pilot_;
+};
 
 class LaneIntegrator final : public carlo::Integrator {
  public:
   LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
-                 std::optional<std::uint32_t> pilot_spp)
+                 const LaneTrials& trials)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
-    if (!pilot_spp || scene.max_depth == 1) return;  // light paths have two segments or more
+    if (!trials.any() || scene.max_depth == 1) return;  // light paths have two segments or more
     const auto start = std::chrono::steady_clock::now();
-    choices_.light_paths = try_light_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
+    Decision decision(scene, lanes_, seed, trials.spp);
+    if (trials.light_paths) choices_.light_paths = decision.light_paths() ? 1.0f : 0.0f;
+    guide_ = decision.guide(trials.guidance, choices_);
     seconds_spent_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
@@ -148,6 +269,7 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.sdfs.size(), "sdfs");
     add(text, lanes_.surfaces - lanes_.first_mesh, "meshes");
     if (choices_.light_paths > 0) text += ", light paths";
+    if (guide_) text += ", guided";
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
 
@@ -178,7 +300,8 @@ class LaneIntegrator final : public carlo::Integrator {
                          carlo::Counts& counts) const override {
     const carlo::Tile any{.stream = paths.stream};
     const LaneChoices choices = shared(paths.share);
-    const LaneJob whole = job(any, choices);
+    LaneJob whole = job(any, choices);
+    whole.guide = nullptr;  // of paths from the camera
     renderer::trace_light_paths({whole, paths.first, paths.count, splats.unit()}, splats, counts);
   }
 
@@ -192,11 +315,17 @@ class LaneIntegrator final : public carlo::Integrator {
   }
 
   LaneJob job(const carlo::Tile& tile, const LaneChoices& choices) const {
-    return {lanes_,           scene_.camera,
-            scene_.width,     scene_.height,
-            scene_.max_depth, carlo::stream_seed(seed_, tile.stream),
-            lanes_.sobol,     tile,
-            choices};
+    return {lanes_,
+            scene_.camera,
+            scene_.width,
+            scene_.height,
+            scene_.max_depth,
+            carlo::stream_seed(seed_, tile.stream),
+            lanes_.sobol,
+            tile,
+            choices,
+            1,
+            guide_ ? &*guide_ : nullptr};
   }
 
   /// Adds a count to the text; zero counts are left out.
@@ -208,6 +337,7 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneScene lanes_;
   std::uint64_t seed_;
   LaneChoices choices_;
+  std::optional<Guide> guide_;
   double seconds_spent_ = 0;
 };
 
@@ -216,14 +346,14 @@ class LaneIntegrator final : public carlo::Integrator {
 std::unique_ptr<carlo::Integrator> make_lane_integrator(const carlo::Scene& scene,
                                                         std::uint64_t seed,
                                                         const LaneChoices& choices,
-                                                        std::optional<std::uint32_t> pilot_spp) {
+                                                        const LaneTrials& trials) {
   if (lane_instruction_sets().empty()) {
     throw carlo::Error(
         "the vector kernel was compiled for another kind of processor than this machine's; configure "
         "with cmake --preset release -DCARLO_EVERY_INSTRUCTION_SET=ON and build again to support "
         "all kinds, or render with --kernel scalar");
   }
-  return std::make_unique<LaneIntegrator>(scene, seed, choices, pilot_spp);
+  return std::make_unique<LaneIntegrator>(scene, seed, choices, trials);
 }
 
 }  // namespace renderer

@@ -6,15 +6,27 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 namespace renderer {
 
+/// Whether camera paths are guided to where light was found (guide.h): never, or if a short trial
+/// finds that it pays, or always.
+enum class Guidance { none, automatic, always };
+
+/// What short trials decide (lane_integrator.cpp), for this planned number of samples per pixel.
+struct LaneTrials {
+  std::uint32_t spp = 64;
+  bool light_paths = false;  ///< whether to trace them; otherwise the choices say so
+  Guidance guidance = Guidance::none;
+
+  bool any() const { return light_paths || guidance != Guidance::none; }
+};
+
 /// The path tracer for scenes that suit LaneScene, with Sobol' or independent points: one path in
-/// each lane of a vector register. If `pilot_spp`, the planned number of samples, is given, a pilot
-/// decides whether to trace light paths (lane_integrator.cpp); otherwise the choices decide.
-std::unique_ptr<carlo::Integrator> make_lane_integrator(
-    const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
-    std::optional<std::uint32_t> pilot_spp = {});
+/// each lane of a vector register.
+std::unique_ptr<carlo::Integrator> make_lane_integrator(const carlo::Scene& scene,
+                                                        std::uint64_t seed,
+                                                        const LaneChoices& choices,
+                                                        const LaneTrials& trials = {});
 
 }  // namespace renderer

@@ -2,6 +2,7 @@
 
 #include "render/integrator.h"
 #include "render/splats.h"
+#include "renderer/lanes/guide.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/camera.h"
 
@@ -31,7 +32,9 @@ struct LaneJob {
   bool sobol;  ///< otherwise independent points
   const carlo::Tile& tile;
   const LaneChoices& choices;
-  std::uint32_t blocks = 1;  ///< blocks of `tile.samples` samples, one after another
+  std::uint32_t blocks = 1;         ///< blocks of `tile.samples` samples, one after another
+  const Guide* guide = nullptr;     ///< where camera paths find light, if that was learnt
+  GuideLearner* learner = nullptr;  ///< learns it from this job, which then has no guide
 
   /// The samples of a pixel.
   std::uint32_t samples() const { return tile.samples * blocks; }

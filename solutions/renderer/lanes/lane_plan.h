@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/frame.h"
 #include "renderer/lanes/lane_boxes.h"
 #include "renderer/lanes/lane_tree.h"
+#include "renderer/warp.h"
 #include "scene/scene.h"
 
 #include <array>

@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/guide-inl.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_scene.h"
@@ -23,6 +24,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,13 +37,16 @@ namespace HWY_NAMESPACE {
 template <class Needs>
 class Walk : Steps<Needs> {
  public:
-  HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts) : Steps<Needs>(job, counts) {}
+  /// If the job has a learner, adds the paths' vertices to `visits`.
+  HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts, Visits* visits = nullptr)
+      : Steps<Needs>(job, counts), visits_(visits) {}
 
   /// Follows every path's ray to the next surface, gathers light there and samples the next ray.
   HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
     shade(paths, vertex);
+    if (visits_ != nullptr) note(paths, vertex);
   }
 
   /// The same for one register of paths, or `batch` of them where there are sdfs.
@@ -51,6 +56,7 @@ class Walk : Steps<Needs> {
 
   HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
     paths.depth = hn::Add(paths.depth, set_word(1));
+    if (visits_ != nullptr) vertex.scattered = hn::FirstN(d_, 0);
     const M met = differs(vertex.hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
     paths.alive = hn::And(paths.alive, met);
@@ -76,8 +82,13 @@ class Walk : Steps<Needs> {
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
       const Surfaces surface = this->surface_at(paths.d, shading);
+      // Early, since its lookups take long.
+      GuidedPoints guided{vertex.u_lobe, set(1)};
+      if (job_.guide != nullptr)
+        guided = guided_points(*job_.guide, place_of(*job_.guide, surface.p, facing(surface.n)),
+                               vertex.u_lobe);
       if (s_.lights > 0) add_direct(paths, surface, shading, vertex, ratios);
-      scatter(paths, surface, shading, vertex.u_lobe, ratios);
+      scatter(paths, surface, shading, vertex, guided, ratios);
     }
     if (Needs::full && s_.any_specular)
       pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
@@ -88,13 +99,14 @@ class Walk : Steps<Needs> {
   }
 
   HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
-    if (!s_.searched()) return;
-    paths.L = select(vertex.to_light.clear, paths.L + vertex.direct, paths.L);
+    if (s_.searched()) paths.L = select(vertex.to_light.clear, paths.L + vertex.direct, paths.L);
+    if (visits_ != nullptr) note(paths, vertex);
   }
 
  private:
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
+  Visits* visits_;
 
   /// The density of light paths whose second to last vertex is this one, over that of this path:
   /// `factor` times the BRDF's pdf of the reverse direction, or `factor` alone at the first vertex
@@ -118,6 +130,7 @@ class Walk : Steps<Needs> {
   HWY_INLINE void add_sky(Paths& paths, M lost) const {
     V3 sky = set(s_.environment[0], s_.environment[1], s_.environment[2]);
     if (Needs::full && s_.sky && !hn::AllFalse(d_, lost)) sky = sky + image_around(paths, lost);
+    if (job_.guide != nullptr) sky = paths.guided * sky;
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
@@ -177,6 +190,7 @@ class Walk : Steps<Needs> {
     } else {
       weight = select(whole, set(1), this->weigh(hn::Div(pdf, paths.pdf)));
     }
+    if (job_.guide != nullptr) weight = hn::Mul(weight, paths.guided);
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 
@@ -191,9 +205,14 @@ class Walk : Steps<Needs> {
       paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, const ShadingPoints& shading, V2 u,
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, const ShadingPoints& shading,
+                          Vertex& vertex, const GuidedPoints& guided,
                           const MisRatios& ratios) const {
-    const V3 wi = this->sample_wi(surface, u);
+    // Not into beta, by which roulette decides: where a path is guided to, there is more light.
+    // Not on mirrors and glass, which lanes beside may have met.
+    if (job_.guide != nullptr)
+      paths.guided = select(paths.alive, hn::Mul(paths.guided, guided.per_density), paths.guided);
+    const V3 wi = this->sample_wi(surface, guided.u);
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const M sampled = hn::And(this->above(wi, cosine, shading), hn::Gt(bsdf.pdf, set(0)));
@@ -202,9 +221,32 @@ class Walk : Steps<Needs> {
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
+    if (visits_ != nullptr) vertex.scattered = paths.alive, vertex.side = facing(surface.n);
     if constexpr (Needs::light_paths)
       paths.mis_ratio =
           hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
+  }
+
+  /// Notes what the learner needs of the lanes that go on.
+  HWY_NOINLINE void note(const Paths& paths, const Vertex& vertex) const {
+    const auto luminance = [](V3 c) HWY_ATTR { return dot(c, set(0.2126f, 0.7152f, 0.0722f)); };
+    alignas(64) std::array<float, lanes> x, y, z, ux, uy, gathered, throughput;
+    alignas(64) std::array<std::uint32_t, lanes> number, side;
+    hn::Store(paths.from.o.x, d_, x.data());
+    hn::Store(paths.from.o.y, d_, y.data());
+    hn::Store(paths.from.o.z, d_, z.data());
+    hn::Store(vertex.u_lobe.x, d_, ux.data());
+    hn::Store(vertex.u_lobe.y, d_, uy.data());
+    hn::Store(luminance(paths.L), d_, gathered.data());
+    hn::Store(luminance(paths.beta), d_, throughput.data());
+    hn::Store(paths.number, du_, number.data());
+    hn::Store(vertex.side, du_, side.data());
+    const std::uint32_t here = bits(hn::And(vertex.scattered, paths.alive));
+    for (std::uint32_t left = here; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      visits_->push_back(
+          {number[i], side[i], {x[i], y[i], z[i]}, {ux[i], uy[i]}, gathered[i], throughput[i]});
+    }
   }
 
   /// Adds direct light from points sampled on the lights.
@@ -248,7 +290,8 @@ class Walk : Steps<Needs> {
     } else {
       share = this->weigh(ratio);
     }
-    const V weight = hn::Mul(hn::Mul(cosine, solid_angle), share);
+    V weight = hn::Mul(hn::Mul(cosine, solid_angle), share);
+    if (job_.guide != nullptr) weight = hn::Mul(weight, paths.guided);
     const V3 direct = weight * (paths.beta * (bsdf.f * light.Le));
     if (Needs::full && s_.searched()) {
       vertex.direct = direct;

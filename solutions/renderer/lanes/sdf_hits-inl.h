@@ -40,6 +40,8 @@ struct ToLight {
 struct Vertex {
   V2 u_light, u_lobe;
   Hits hits;
+  M scattered;  ///< if there is a learner: lanes whose next direction was drawn by u_lobe,
+  U side;       ///< and Guide::sides of their surfaces
   // For scenes with sdfs or meshes:
   RayRegister ray;
   std::array<double, lanes> t;  ///< hits on sdfs

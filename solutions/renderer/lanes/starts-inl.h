@@ -147,6 +147,7 @@ class Starts {
           select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.mis_ratio);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
+    if (job_.guide != nullptr) paths.guided = select(starts, set(1), paths.guided);
     paths.pdf = select(starts, set(-1), paths.pdf);
     paths.from.last = hn::IfThenElse(starts_u, set_word(nothing), paths.from.last);
     paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);

@@ -63,6 +63,8 @@ struct Paths {
   V3 n;                              ///< of the surface that d leaves, on its side,
   LightProbabilities probabilities;  ///< and the probabilities with which lights were chosen there,
                                      ///< if there are several
+  V guided;                          ///< one over the densities of guided points: all that a path
+                                     ///< finds is worth so much more or less
   V mis_ratio;                       ///< for Features::light_paths (lane_kernel.h, LightPathJob)
   // For a light path:
   U light, triangle;  ///< where it started

@@ -58,6 +58,12 @@ class Sums {
     hn::StoreInterleaved3(L.x, L.y, L.z, d_, kept_.get() + std::size_t{3} * first);
   }
 
+  /// The first `count` stored samples, rgb rgb ...
+  std::span<const float> stored(std::uint32_t count) {
+    put_in_place();
+    return {kept_.get(), std::size_t{3} * count};
+  }
+
   /// Adds the first `count` stored samples to the sums; completes the blocks that they end.
   void add(std::uint32_t count) {
     put_in_place();

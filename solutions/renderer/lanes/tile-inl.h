@@ -29,7 +29,10 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts) {
   Starts starts(job);
   Sums sums(job, means);
-  const Walk<Needs> walk(job, counts);
+  Visits visits;
+  // Few enough that a learner finds their visits in the cache.
+  const std::uint32_t most_at_once = job.learner != nullptr ? 1 << 11 : Sums::most;
+  const Walk<Needs> walk(job, counts, job.learner != nullptr ? &visits : nullptr);
   // One register of paths, or a batch if there may be sdfs; a constant for the compiler.
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.scene.sdfs.empty() ? most : 1;
@@ -37,7 +40,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   auto before = zeros<std::array<M, most>>();
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
-  std::uint32_t waited_for = starts.allow(Sums::most);
+  std::uint32_t waited_for = starts.allow(most_at_once);
   for (std::uint64_t round = 0;; ++round) {
     bool alive = false;
     for (std::size_t w = 0; w < registers; ++w) {
@@ -46,8 +49,9 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
       alive = alive || !hn::AllFalse(d_, before[w]);
     }
     if (!alive) {
+      if (job.learner != nullptr) job.learner->add(visits, sums.stored(waited_for)), visits.clear();
       sums.add(waited_for);
-      waited_for = starts.allow(Sums::most);
+      waited_for = starts.allow(most_at_once);
       if (waited_for == 0) break;
       continue;
     }
