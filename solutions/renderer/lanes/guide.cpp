@@ -58,7 +58,7 @@ std::array<std::uint32_t, count + 1> equal_parts(const std::array<double, count>
     while (piece + 1 < count && below + masses[piece] < part)
       below += masses[piece++];
     const double at = static_cast<double>(piece) + std::min((part - below) / masses[piece], 1.0);
-    ends[i] = static_cast<std::uint32_t>(at * 256 / count + 0.5);
+    ends[i] = static_cast<std::uint32_t>(std::lround(at * 256 / count));
     ends[i] = std::clamp(ends[i], ends[i - 1] + 1, static_cast<std::uint32_t>(256 - count + i));
   }
   ends[count] = 256;
