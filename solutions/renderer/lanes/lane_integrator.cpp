@@ -38,9 +38,10 @@ constexpr double least_gain = 3, least_gain_with_lobes = 1, least_gain_with_mirr
 /// and not at all if that leaves less than `least_lessons`. The first ones decide whether to go on.
 constexpr double lesson_share = 16;
 constexpr double least_lessons = 1 << 14, most_lessons = 1 << 18, first_lessons = 1 << 13;
-/// What a guide costs a render once, in lessons: so much must the first ones gain to make up for
-/// it. That a guided ray costs a tenth more is made up for by what the others teach.
-constexpr double guide_cost = 12000;
+/// What a lesson costs, in paths, and what a guide costs beside them, in lessons: so much must the
+/// first lessons gain. That a guided ray costs a tenth more is made up for by what the others
+/// teach.
+constexpr double lesson_cost = 2, guide_cost = 12000;
 
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
@@ -157,7 +158,8 @@ class Decision {
     if (!always) {
       const Guide guide = learner.learn();
       const Trial without = try_guide(choices, nullptr), with = try_guide(choices, &guide);
-      if (gain_by_guide(without, with) < 1 + guide_cost / lessons) return std::nullopt;
+      const double least = (1 + lesson_cost * lessons / paths_) * (1 + guide_cost / lessons);
+      if (gain_by_guide(without, with) < least) return std::nullopt;
     }
     if (lessons > first) teach(learner, lessons - first, choices, 2);
     return learner.learn();
