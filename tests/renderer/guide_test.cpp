@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 // This file is compiled once for each instruction set.
@@ -277,20 +278,25 @@ TEST_CASE("What a guide learns does not depend on the order of the paths") {
   CHECK(first.table_of == second.table_of);
 }
 
-// Gains of the first lessons as measured in four seeds each: indirect 2.2 to 3.9, furnace .75 +-
-// .03, integrating_sphere .72 +- .02; the trial asks for 1.1.
+// A trial has few pixels, so answers may differ between seeds; most of ten must be right. It asks
+// for a gain of 1.3 here; in six seeds each, indirect had 1.46 to 1.84, furnace .65 to .78 and
+// integrating_sphere .65 to .75.
 TEST_CASE("Paths are guided where it pays") {
   const auto guided = [](const char* name, int size) {
     Scene scene = lab_scenes::load(name);
     resize(scene, size, size);
-    const auto integrator = renderer::make_path_integrator(
-        scene, {.seed = 9, .spp = 64, .guidance = Guidance::automatic});
-    return integrator->name().find("guided") != std::string::npos;
+    int count = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const auto integrator = renderer::make_path_integrator(
+          scene, {.seed = seed, .spp = 64, .guidance = Guidance::automatic});
+      count += integrator->name().find("guided") != std::string::npos ? 1 : 0;
+    }
+    return count;
   };
-  CHECK(guided("indirect", 128));
-  CHECK_FALSE(guided("furnace", 128));
-  CHECK_FALSE(guided("integrating_sphere", 128));
-  CHECK_FALSE(guided("indirect", 32));  // too few paths to learn from
+  CHECK(guided("indirect", 128) >= 6);
+  CHECK(guided("furnace", 128) == 0);
+  CHECK(guided("integrating_sphere", 128) == 0);
+  CHECK(guided("indirect", 32) == 0);  // too few paths to learn from
 }
 
 }  // namespace renderer

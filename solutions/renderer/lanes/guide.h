@@ -39,7 +39,8 @@ class Guide {
   /// The words of a table, one for each rectangle, strip by strip: the left end, the width, the
   /// lower end and the height, in bytes from the upper one on, in units of 1/256.
   static constexpr std::uint32_t table_size = rows * columns;
-  /// The share of the points that stay evenly distributed: no density is lower.
+  /// The share of the points that stay evenly distributed: no density is lower, but for the
+  /// rounding of a table's ends.
   static constexpr double even_share = 0.2;
 
   /// Nothing learnt: points stay where they are.

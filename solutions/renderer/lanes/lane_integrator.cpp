@@ -38,10 +38,9 @@ constexpr double least_gain = 3, least_gain_with_lobes = 1, least_gain_with_mirr
 /// and not at all if that leaves less than `least_lessons`. The first ones decide whether to go on.
 constexpr double lesson_share = 16;
 constexpr double least_lessons = 1 << 14, most_lessons = 1 << 18, first_lessons = 1 << 13;
-/// What a lesson costs, in paths, and what a guide costs beside them, in lessons: so much must the
-/// first lessons gain. That a guided ray costs a tenth more is made up for by what the others
-/// teach.
-constexpr double lesson_cost = 2, guide_cost = 12000;
+/// The first lessons must gain what all cost: a lesson that of some paths, with what guided paths
+/// take longer, and a guide that of some lessons.
+constexpr double lesson_cost = 3, guide_cost = 8000;
 
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
@@ -152,6 +151,8 @@ class Decision {
     const double lessons = std::min(paths_ / lesson_share, most_lessons);
     const bool always = guidance == Guidance::always;
     if (guidance == Guidance::none || (!always && lessons < least_lessons)) return std::nullopt;
+    // Most of the noise is then that of light paths or shared with them: guidance gains nothing.
+    if (!always && choices.light_paths > 0) return std::nullopt;
     const double first = std::max(lessons / 8, first_lessons);
     GuideLearner learner;
     teach(learner, first, choices, 1);
@@ -302,8 +303,7 @@ class LaneIntegrator final : public carlo::Integrator {
                          carlo::Counts& counts) const override {
     const carlo::Tile any{.stream = paths.stream};
     const LaneChoices choices = shared(paths.share);
-    LaneJob whole = job(any, choices);
-    whole.guide = nullptr;  // of paths from the camera
+    const LaneJob whole = job(any, choices);
     renderer::trace_light_paths({whole, paths.first, paths.count, splats.unit()}, splats, counts);
   }
 
