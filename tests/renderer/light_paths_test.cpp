@@ -10,6 +10,8 @@
 #include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "oracle.h"
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lane_scene.h"
 #include "renderer/production/adaptive.h"
 #include "scene/needs.h"
 #include "scene_tools.h"
@@ -229,23 +231,61 @@ TEST_CASE("Light paths are refused where only the scalar kernel renders") {
 
 // A path from the camera finds almost nothing of what is lit through a slit: a pilot that did not
 // choose light paths there, or chose them where light sampling finds all light, would be
-// useless. Answers may differ between seeds; most of ten must be right.
+// useless, with few samples as with many. Of 100 other seeds all were right, but for two of
+// `highlights`.
 TEST_CASE("A pilot chooses light paths where they pay") {
   const auto chosen = [](const char* name) {
     int count = 0;
     Scene scene = lab_scenes::load(name);
-    resize(scene, 256, 256);
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    resize(scene, 128, 128);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const auto integrator = renderer::make_path_integrator(
-          scene, {.seed = seed, .technique = renderer::Technique::automatic});
+          scene, {.seed = seed, .spp = 64, .technique = renderer::Technique::automatic});
       count += integrator->light_paths() > 0 ? 1 : 0;
     }
     return count;
   };
-  CHECK(chosen("rare_paths") >= 6);
-  CHECK(chosen("caustics") >= 6);
-  CHECK(chosen("cornell_phong") >= 6);
-  CHECK(chosen("highlights") <= 2);
-  CHECK(chosen("cornell_lambert") == 0);
-  CHECK(chosen("soft_shadows") == 0);
+  CHECK(chosen("rare_paths") >= 19);
+  CHECK(chosen("caustics") >= 19);
+  CHECK(chosen("cornell_phong") >= 19);
+  CHECK(chosen("highlights") <= 3);
+  for (const char* name : {"cornell_lambert", "soft_shadows", "indirect", "partial_occluders"}) {
+    INFO(name);
+    CHECK(chosen(name) <= 1);
+  }
+}
+
+// E[X^2] of camera paths of three segments, of which one in hundreds finds the slit, by their own
+// samples and by light paths. These leave out what MIS weights give to the camera, and products of
+// a path's vertices, so their figure must be less, but most of it (.36 of it for paths of any
+// length, whose vertices add up). No roulette, which densities do not contain.
+TEST_CASE("Light paths know how bright the rare paths from the camera are") {
+  constexpr std::uint32_t spp = 1 << 15;
+  constexpr std::size_t pixels = 16 * 16, above = 8 * 16;  ///< the light is in the upper half
+  Scene scene = lab_scenes::load("rare_paths");
+  resize(scene, 16, 16);
+  const renderer::LaneScene lanes(scene);
+  const Tile whole{0, 0, 16, 16, 0, 1, 0};
+  const renderer::LaneChoices without{.roulette_threshold = 1e-6f},
+      with{.roulette_threshold = 1e-6f, .light_paths = 1};
+  const renderer::LaneJob job{lanes, scene.camera, 16, 16, 3, 1, false, whole, without, spp};
+  std::vector<std::array<double, 3>> found(pixels * spp);
+  Counts counts;
+  renderer::render_lanes(job, found, counts);
+  double by_camera = 0, by_lights = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i % pixels >= above) by_camera += luminance(found[i]) * luminance(found[i]) / spp;
+  }
+  constexpr std::uint64_t count = pixels * 2048;
+  Splats splats(pixels, lanes.splat_unit(count));
+  std::vector<renderer::CameraMoment> moments;
+  const renderer::LaneJob both{lanes, scene.camera, 16, 16, 3, 1, false, whole, with};
+  renderer::trace_light_paths({both, 0, count, splats.unit(), &moments}, splats, counts);
+  for (const renderer::CameraMoment& moment : moments) {
+    if (moment.pixel < above) continue;
+    by_lights += static_cast<double>(moment.root) * moment.root / (count * pixels);
+  }
+  INFO(by_lights << " of " << by_camera);
+  CHECK(by_lights < 1.1 * by_camera);
+  CHECK(by_lights > .7 * by_camera);
 }

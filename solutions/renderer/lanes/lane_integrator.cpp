@@ -32,7 +32,7 @@ constexpr double share = 512;
 constexpr double ray_cost = 1.3;
 /// The factor by which light paths must seem better, since so short a trial may mislead. With
 /// mirrors or glass, which focus light, or lobes, which do so a little, they are expected to be.
-constexpr double least_gain = 3, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
+constexpr double least_gain = 2.4, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
 
 /// A render learns where light is from one in this many of its paths, from at most `most_lessons`,
 /// and not at all if that leaves less than `least_lessons`. The first ones decide whether to go on.
@@ -45,6 +45,8 @@ constexpr double lesson_cost = 3, guide_cost = 8000;
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
   double rays = 0;
+  /// By light paths: what the luminance's variance is at least without them.
+  std::vector<double> least_variance_without = {};
 };
 
 /// Sets the mean and the variance of pixel i.
@@ -65,15 +67,18 @@ class Pilot {
   Trial run(bool light_paths) const {
     const LaneChoices choices{.light_paths = light_paths ? 1.0f : 0.0f};
     carlo::Counts counts;
-    Trial trial{Means(pixels()), Means(pixels()), 0};
+    Trial trial{Means(pixels()), Means(pixels())};
     std::vector<Means> images;
+    std::vector<double> squares(pixels());  // of CameraMoment, a sample
     for (std::uint32_t b = 0; b < blocks; ++b)
-      images.push_back(render(b, choices, counts));
+      images.push_back(render(b, choices, counts, squares));
     for (std::size_t i = 0; i < pixels(); ++i) {
       std::array<std::array<double, 3>, blocks> of_blocks;
       for (std::uint32_t b = 0; b < blocks; ++b)
         of_blocks[b] = images[b][i];
       add(of_blocks, trial, i);
+      const double mean = carlo::luminance(trial.mean[i]);
+      trial.least_variance_without.push_back((squares[i] - mean * mean) / samples);
     }
     trial.rays = static_cast<double>(counts.rays);
     return trial;
@@ -84,7 +89,8 @@ class Pilot {
     return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   }
 
-  Means render(std::uint32_t block, const LaneChoices& choices, carlo::Counts& counts) const {
+  Means render(std::uint32_t block, const LaneChoices& choices, carlo::Counts& counts,
+               std::vector<double>& squares) const {
     const carlo::Tile tile{0, 0, side_, side_, block * samples, samples, 0};
     const LaneJob job{lanes_, scene_.camera, side_, side_,  scene_.max_depth,
                       seed_,  lanes_.sobol,  tile,  choices};
@@ -93,7 +99,12 @@ class Pilot {
     if (choices.light_paths == 0) return means;
     const std::uint64_t count = std::uint64_t{samples} * pixels();
     carlo::Splats splats(pixels(), lanes_.splat_unit(count));
-    trace_light_paths({job, block * count, count, splats.unit()}, splats, counts);
+    std::vector<CameraMoment> moments;
+    trace_light_paths({job, block * count, count, splats.unit(), &moments}, splats, counts);
+    std::ranges::sort(moments, {}, &CameraMoment::order);  // lanes end in any order
+    const double all = static_cast<double>(count) * static_cast<double>(pixels()) * blocks;
+    for (const CameraMoment& moment : moments)
+      squares[moment.pixel] += static_cast<double>(moment.root) * moment.root / all;
     for (std::size_t i = 0; i < pixels(); ++i) {
       for (std::size_t c = 0; c < 3; ++c)
         means[i][c] += splats.sum(i, c) / static_cast<double>(count);
@@ -136,7 +147,14 @@ class Decision {
   bool light_paths() {
     if (!lanes_.has_path_starts()) return false;
     if (lanes_.point_lights() && lanes_.any_specular) return true;
-    const Trial without = pilot_.run(false), with = pilot_.run(true);
+    Trial without = pilot_.run(false);
+    const Trial with = pilot_.run(true);
+    for (std::size_t i = 0; i < with.mean.size(); ++i) {
+      // In luminance alone, as relative_variance() reads it.
+      const double least_variance = with.least_variance_without[i];
+      if (carlo::luminance(without.variance[i]) < least_variance)
+        without.variance[i].fill(least_variance);
+    }
     const double cost = lanes_.full() ? 1 : ray_cost;
     const double least = lanes_.any_specular ? least_gain_with_mirrors
                          : lanes_.phong      ? least_gain_with_lobes
@@ -194,7 +212,7 @@ class Decision {
     constexpr double pixel_share = 1 << 14;
     const int side = static_cast<int>(std::clamp(std::sqrt(paths_ / pixel_share), 8.0, 16.0));
     const auto pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-    Trial trial{Means(pixels), Means(pixels), 0};
+    Trial trial{Means(pixels), Means(pixels)};
     carlo::Counts counts;
     for (int i = 0; i < side * side; ++i) {
       const std::uint64_t random = carlo::hash(seed_, 3, i);

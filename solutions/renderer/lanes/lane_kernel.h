@@ -40,6 +40,17 @@ struct LaneJob {
   std::uint32_t samples() const { return tile.samples * blocks; }
 };
 
+/// What camera paths alone would have found in place of a light path's splat. Summed over `count`
+/// light paths, the squares are count x pixels times their part of E[X^2], X a sample of the pixel
+/// by camera paths: however rare they are, light paths know how bright. (With f what a path carries
+/// and p, q its densities from the camera and from the light, f^2 / p = (f / q)^2 q / p; here times
+/// the splat's MIS weight, so that camera paths' own samples account for the rest.)
+struct CameraMoment {
+  std::uint64_t order;  ///< of light paths and their vertices
+  std::uint32_t pixel;
+  float root;
+};
+
 /// Light paths, connected to the camera at each vertex: they find light that mirrors and glass
 /// focus, or that comes through a slit. MIS weights need the densities p of all three techniques
 /// (camera paths, light sampling, light paths) for each path:
@@ -53,9 +64,10 @@ struct LaneJob {
 /// from the camera over that of the light path. (Veach, Robust Monte Carlo methods, 1997, 10.2;
 /// recursively as van Antwerpen, 2011.)
 struct LightPathJob {
-  const LaneJob& whole;        ///< its tile is ignored
-  std::uint64_t first, count;  ///< range of paths
-  double unit;                 ///< of the splats
+  const LaneJob& whole;                                 ///< its tile is ignored
+  std::uint64_t first, count;                           ///< range of paths
+  double unit;                                          ///< of the splats
+  std::vector<CameraMoment>* camera_moments = nullptr;  ///< gets one for each splat, if wanted
 };
 
 /// Traces the paths; a splat is the radiance of a pixel times the number of all paths.

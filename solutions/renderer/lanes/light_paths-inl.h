@@ -37,7 +37,10 @@ template <class Needs>
 class LightPathWalk : Steps<Needs> {
  public:
   HWY_INLINE LightPathWalk(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts)
-      : Steps<Needs>(job.whole, counts), splats_(splats), scale_(1 / job.unit) {
+      : Steps<Needs>(job.whole, counts),
+        splats_(splats),
+        scale_(1 / job.unit),
+        camera_moments_(job.camera_moments) {
     const carlo::Camera& c = job_.camera;
     eye_ = set(c.origin.x, c.origin.y, c.origin.z);
     forward_ = set(c.forward.x, c.forward.y, c.forward.z);
@@ -100,6 +103,7 @@ class LightPathWalk : Steps<Needs> {
     const M clear = vertex.to_light.clear;
     if (hn::AllFalse(d_, clear)) return;
     add_splat_products(paths, vertex.direct, clear);
+    if (camera_moments_ != nullptr) note_moments(paths, vertex);
     alignas(64) std::array<float, lanes> r, g, b;
     alignas(64) std::array<std::uint32_t, lanes> pixel, word;
     hn::Store(mix(hn::Add(hn::Xor(paths.key, paths.reversed_index), paths.depth)), du_,
@@ -207,8 +211,13 @@ class LightPathWalk : Steps<Needs> {
     const V per_pixel =
         hn::Mul(by_camera, set(job_.choices.light_paths * static_cast<float>(job_.width) *
                                static_cast<float>(job_.height)));
-    const V weight = hn::Mul(hn::Mul(per_pixel, cosine_by_area), this->weigh(from_camera));
+    const V share = this->weigh(from_camera);
+    const V weight = hn::Mul(hn::Mul(per_pixel, cosine_by_area), share);
     vertex.direct = weight * (paths.beta * bsdf.f);
+    if (camera_moments_ != nullptr) {
+      vertex.camera_root =
+          hn::Div(luminances(vertex.direct), hn::Sqrt(hn::Mul(share, from_camera)));
+    }
     vertex.to_light = {paths.from.clear, eye_, set(1), clear};
     const U inside_x = hn::BitCast(
         du_, hn::ConvertTo(di_, hn::Min(column, set(static_cast<float>(job_.width) - 1))));
@@ -231,10 +240,27 @@ class LightPathWalk : Steps<Needs> {
     paths.d = wi;
   }
 
+  /// Notes the CameraMoment of each splat.
+  HWY_NOINLINE void note_moments(const Paths& paths, const Vertex& vertex) const {
+    alignas(64) std::array<float, lanes> root;
+    alignas(64) std::array<std::uint32_t, lanes> number, pixel, depth;
+    hn::Store(vertex.camera_root, d_, root.data());
+    hn::Store(paths.number, du_, number.data());
+    hn::Store(paths.pixel, du_, pixel.data());
+    hn::Store(paths.depth, du_, depth.data());
+    for (std::uint32_t left = bits(vertex.to_light.clear); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      if (root[i] > 0)
+        camera_moments_->push_back({std::uint64_t{number[i]} << 32 | depth[i], pixel[i], root[i]});
+    }
+  }
+
+  HWY_INLINE static V luminances(const V3& c) { return dot(c, set(0.2126f, 0.7152f, 0.0722f)); }
+
   /// Adds the products of this splat and the path's earlier ones, from which the covariance of the
   /// pixels that it reaches follows.
   HWY_INLINE void add_splat_products(Paths& paths, const V3& splat, M clear) const {
-    const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
+    const V luminance = hn::Mul(luminances(splat), set(small_));
     const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
     paths.splat_products = mul_add(paths.splat_luminance, more, paths.splat_products);
     paths.splat_luminance = hn::Add(paths.splat_luminance, more);
@@ -252,6 +278,7 @@ class LightPathWalk : Steps<Needs> {
 
   carlo::Splats& splats_;
   double scale_;
+  std::vector<CameraMoment>* camera_moments_;
   double large_ = splats_.unit() * 0x1p50;  ///< keeps the squares of splats within float range
   float small_ = static_cast<float>(1 / large_);
   V3 eye_, forward_, right_, up_;

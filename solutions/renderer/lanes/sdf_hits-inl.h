@@ -50,6 +50,7 @@ struct Vertex {
   V3 error;                     ///< of the point's coordinates
   ToLight to_light;             ///< segments to lights that nothing else blocks,
   V3 direct;                    ///< and their contributions
+  V camera_root;                ///< of light paths: CameraMoment::root, if wanted
 };
 
 /// Sphere tracing, only where an sdf may be nearer than the hits so far.
