@@ -32,7 +32,7 @@ constexpr double share = 512;
 constexpr double ray_cost = 1.3;
 /// The factor by which light paths must seem better, since so short a trial may mislead. With
 /// mirrors or glass, which focus light, or lobes, which do so a little, they are expected to be.
-constexpr double least_gain = 2.4, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
+constexpr double least_gain = 2.3, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
 
 /// A render learns where light is from one in this many of its paths, from at most `most_lessons`,
 /// and not at all if that leaves less than `least_lessons`. The first ones decide whether to go on.
