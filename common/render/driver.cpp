@@ -142,6 +142,7 @@ class Job {
     tile.y1 = std::min(tile.y0 + tile_size, film_.height());
     tile.samples = film_.block();
     tile.first_sample = first * film_.block();
+    tile.light_path_share = light_pass.share();
     std::array<std::array<double, 3>, most_passes_at_once * tile_size * tile_size> room;
     const auto pixels = static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
     const std::span means = std::span(room).first(blocks * pixels);

@@ -104,7 +104,7 @@ class Integrator {
 
   /// The number of light paths that an image needs, besides its tiles, per sample of each
   /// pixel; 0 if all light is found from the camera.
-  virtual std::uint32_t light_paths() const { return 0; }
+  virtual double light_paths() const { return 0; }
 
   /// Traces light paths, by their numbers in the stream: each sample of an image of `pixels`
   /// has `light_paths() * pixels` of them; if only a share is traced, the first ones. A pixel's

@@ -13,11 +13,12 @@ namespace carlo {
 
 LightPass::LightPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
                      std::uint32_t first_sample, std::uint32_t samples, double share) {
-  const std::uint64_t per_sample = integrator.light_paths() * pixels;
+  const double per_sample = integrator.light_paths() * static_cast<double>(pixels);
   if (per_sample == 0) return;
-  const std::uint64_t first = first_sample * per_sample, whole = samples * per_sample;
-  const auto count = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(whole)));
-  share_ = static_cast<double>(count) / static_cast<double>(whole);
+  const auto first = static_cast<std::uint64_t>(first_sample * per_sample);
+  const double whole = samples * per_sample;
+  const auto count = static_cast<std::uint64_t>(std::ceil(share * whole));
+  share_ = static_cast<double>(count) / whole;
   paths_ = static_cast<double>(count);
   splats_.emplace(pixels, integrator.splat_unit(count));
   constexpr std::uint64_t at_once = 1 << 14;

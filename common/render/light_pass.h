@@ -19,7 +19,8 @@ class LightPass {
   LightPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
             std::uint32_t first_sample, std::uint32_t samples, double share = 1);
 
-  /// The share that was traced: Tile::light_path_share of the samples' tiles.
+  /// The share that was traced, a little more than asked for where that is no whole number of
+  /// paths: Tile::light_path_share of the samples' tiles.
   double share() const { return share_; }
 
   const Counts& counts() const { return counts_; }

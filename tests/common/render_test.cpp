@@ -1,6 +1,7 @@
 #include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
+#include "render/splats.h"
 #include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -93,6 +94,47 @@ TEST_CASE("A time limit gives every pixel at least two blocks") {
       render(noise, 20, 20, {.spp = 1, .seconds = 0.0, .threads = 2, .progress = false});
   CHECK(result.film.blocks(0, 0) == 2);
   CHECK(std::isfinite(result.film.variance(19, 19, 0)));
+}
+
+/// Lit from the camera by the part of 1 that MIS weights leave to it, and by light paths, a quarter
+/// of one for each sample of a pixel, by the rest.
+class Shared final : public common_test::NoiseIntegrator {
+ public:
+  explicit Shared(int side) : pixels_(static_cast<std::size_t>(side * side)) {}
+
+  double light_paths() const override { return .25; }
+  void trace_light_paths(const LightPaths& paths, Splats& splats, Counts&) const override {
+    for (std::uint64_t i = paths.first; i < paths.first + paths.count; ++i) {
+      for (std::size_t pixel = 0; pixel < pixels_; ++pixel) {
+        const auto units = std::llround((1 - camera_part(paths.share)) / splats.unit());
+        splats.add(pixel, {units, units, units});
+      }
+    }
+  }
+  double splat_unit(std::uint64_t) const override { return 0x1p-30; }
+
+ private:
+  std::size_t pixels_;
+  static double camera_part(double share) { return 1 / (1 + .25 * share); }
+  void sample(const Tile& tile, int, int, BlockSum& sum, Counts& counts) const override {
+    const double part = camera_part(tile.light_path_share);
+    for (std::uint32_t i = 0; i < tile.samples; ++i)
+      sum.add(Rgb(static_cast<float>(part)), counts);
+  }
+};
+
+// The one light path of a single sample counts for four, on both sides of the weights; 3 x 3 pixels
+// have 3 of 2.25.
+TEST_CASE("Weights know how many light paths a small image has") {
+  for (const int side : {1, 2, 3, 8}) {
+    const Shared integrator(side);
+    for (const std::uint32_t spp : {1u, 2u, 16u}) {
+      const RenderResult result =
+          render(integrator, side, side, {.spp = spp, .threads = 1, .progress = false});
+      INFO(side << " x " << side << ", " << spp);
+      CHECK(std::abs(result.film.mean(side - 1, 0, 0) - 1) < 1e-6);
+    }
+  }
 }
 
 }  // namespace

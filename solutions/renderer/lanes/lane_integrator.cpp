@@ -42,6 +42,15 @@ constexpr double least_lessons = 1 << 14, most_lessons = 1 << 18, first_lessons 
 /// take longer, and a guide that of some lessons.
 constexpr double lesson_cost = 3, guide_cost = 8000;
 
+/// The number of light paths for each path from the camera that costs least relMSE x seconds in
+/// `rare_paths`, `cornell_phong` and `caustics`: light that mirrors, glass and lobes focus needs
+/// fewer than light that comes through a slit and is everywhere after that. What only light paths
+/// find gets as many as camera paths. Powers of two, for Sobol' points.
+float light_paths_per_path(const LaneScene& lanes) {
+  if (lanes.any_specular) return lanes.point_lights() ? 1 : 0.25f;
+  return lanes.phong ? 0.5f : 1;
+}
+
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
   double rays = 0;
@@ -141,7 +150,7 @@ class Decision {
         paths_(static_cast<double>(scene.width) * scene.height * spp),
         pilot_(scene, lanes, seed, side_of(paths_ / share / (blocks * samples), 8)) {}
 
-  /// True if there should be a light path for each path from the camera. Always so where points
+  /// True if there should be light paths. Always so where points
   /// shine on mirrors or glass: other paths miss that light. Traces about 0.6 % as many paths as
   /// the render, and at least 25000.
   bool light_paths() {
@@ -272,10 +281,12 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
                  const LaneTrials& trials)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
+    const float light_paths = light_paths_per_path(lanes_);
+    choices_.light_paths *= light_paths;
     if (!trials.any() || scene.max_depth == 1) return;  // light paths have two segments or more
     const auto start = std::chrono::steady_clock::now();
     Decision decision(scene, lanes_, seed, trials.spp);
-    if (trials.light_paths) choices_.light_paths = decision.light_paths() ? 1.0f : 0.0f;
+    if (trials.light_paths) choices_.light_paths = decision.light_paths() ? light_paths : 0.0f;
     guide_ = decision.guide(trials.guidance, choices_);
     seconds_spent_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -313,9 +324,7 @@ class LaneIntegrator final : public carlo::Integrator {
     return lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
   }
 
-  std::uint32_t light_paths() const override {
-    return static_cast<std::uint32_t>(choices_.light_paths);
-  }
+  double light_paths() const override { return choices_.light_paths; }
 
   void trace_light_paths(const carlo::LightPaths& paths, carlo::Splats& splats,
                          carlo::Counts& counts) const override {

@@ -30,7 +30,7 @@ constexpr int width = 37, height = 21;  // not multiples of tiles or units
 /// by light paths.
 class Flicker final : public common_test::NoiseIntegrator {
  public:
-  std::uint32_t light_paths() const override { return 1; }
+  double light_paths() const override { return 1; }
   double splat_unit(std::uint64_t /*paths*/) const override { return 0x1p-20; }
   void trace_light_paths(const LightPaths& paths, Splats& splats, Counts& counts) const override {
     constexpr std::uint64_t pixels = std::uint64_t{width} * height;

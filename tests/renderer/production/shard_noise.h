@@ -20,7 +20,7 @@ class ShardNoise final : public NoiseIntegrator {
 
   explicit ShardNoise(bool with_lights) : lights_(with_lights) {}
 
-  std::uint32_t light_paths() const override { return lights_ ? 1 : 0; }
+  double light_paths() const override { return lights_ ? 1 : 0; }
 
   /// Each path reaches two pixels.
   void trace_light_paths(const carlo::LightPaths& paths, carlo::Splats& splats,
