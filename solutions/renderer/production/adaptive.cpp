@@ -183,8 +183,8 @@ class AdaptiveJob {
     return seen.samples() > levels_.begin(state_.level);
   }
 
-  /// Traces the light paths for each block of a round: about as many as belong to its camera paths, or the
-  /// last rounds of a few pixels would cost as much as those of the whole image.
+  /// Traces the light paths for each block of a round: about as many as belong to its camera paths,
+  /// or the last rounds of a few pixels would cost as much as those of the whole image.
   std::vector<LightPass> trace_light_paths(std::uint32_t half) const {
     std::vector<LightPass> passes;
     for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b)
