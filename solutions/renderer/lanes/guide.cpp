@@ -16,6 +16,9 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 /// What is known of a bin counts as this many visits with what is known of the same bin in the
 /// cell of twice the size.
 constexpr double prior_visits = 12;
+/// A place with fewer visits takes the table of the cell of twice the size, from which its own
+/// would hardly differ.
+constexpr double least_visits = 200;
 
 /// Sums over the visits of a place, by the strips and rectangles of an even table: whole numbers,
 /// since lanes note visits in an order that depends on how many there are.
@@ -24,6 +27,13 @@ struct Histogram {
   std::array<std::uint32_t, bins> visits{};
 };
 using Densities = std::array<double, bins>;  ///< relative
+
+double visits_of(const Histogram& of) {
+  double visits = 0;
+  for (const std::uint32_t some : of.visits)
+    visits += some;
+  return visits;
+}
 
 /// Mean squares in each bin; bins with few visits follow `above`, the densities of the cell of
 /// twice the size.
@@ -185,18 +195,31 @@ struct GuideLearner::Histograms {
     return sums;
   }
 
-  /// The mean squares of each place that was visited, by its number.
-  std::vector<Densities> densities() const {
-    std::vector<Densities> found(all.size());
+  /// What is known of each visited place, by its number, whose table is added to the guide's.
+  struct Known {
+    Densities mean_squares;
+    std::uint32_t table;  ///< its first word
+  };
+  std::vector<Known> learn(Guide& guide) const {
+    std::vector<Known> found(all.size());
     std::optional<Histograms> sums;
-    std::vector<Densities> above;
-    if (grid > 1) sums = coarser(), above = sums->densities();
-    Densities even{};
-    even.fill(1);
+    std::vector<Known> above;
+    if (grid > 1) sums = coarser(), above = sums->learn(guide);
+    Known even{{}, 0};
+    even.mean_squares.fill(1);
     for (std::uint32_t place = 0; place < number.size(); ++place) {
       if (number[place] == none) continue;
-      const Densities& wider = sums ? above[sums->number[around(place, grid)]] : even;
-      found[number[place]] = mean_squares(all[number[place]], wider);
+      const Known& wider = sums ? above[sums->number[around(place, grid)]] : even;
+      const Histogram& here = all[number[place]];
+      Known& known = found[number[place]];
+      known = wider;
+      if (visits_of(here) < least_visits) continue;
+      known.mean_squares = mean_squares(here, wider.mean_squares);
+      known.table = static_cast<std::uint32_t>(guide.tables.size());
+      Densities roots = known.mean_squares;
+      for (double& density : roots)
+        density = std::sqrt(density);
+      add_table(roots, guide.tables);
     }
     return found;
   }
@@ -231,14 +254,9 @@ void GuideLearner::add(const Visits& visits, std::span<const float> radiances) {
 Guide GuideLearner::learn() const {
   Guide guide = grid_;
   if (!finest_) return guide;
-  const std::vector<Densities> squares = finest_->densities();
+  const std::vector<Histograms::Known> known = finest_->learn(guide);
   for (std::size_t place = 0; place < finest_->number.size(); ++place) {
-    if (finest_->number[place] == none) continue;
-    guide.table_of[place] = static_cast<std::uint32_t>(guide.tables.size());
-    Densities roots = squares[finest_->number[place]];
-    for (double& density : roots)
-      density = std::sqrt(density);
-    add_table(roots, guide.tables);
+    if (finest_->number[place] != none) guide.table_of[place] = known[finest_->number[place]].table;
   }
   return guide;
 }
