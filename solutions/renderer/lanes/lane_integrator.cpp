@@ -301,6 +301,9 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.sdfs.size(), "sdfs");
     add(text, lanes_.surfaces - lanes_.first_mesh, "meshes");
     if (choices_.light_paths > 0) text += ", light paths";
+    // A render is continued only with as many: others would be the same paths again.
+    if (choices_.light_paths > 0 && choices_.light_paths < 1)
+      text += fmt::format(" ({} a path)", choices_.light_paths);
     if (guide_) text += ", guided";
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
