@@ -103,7 +103,7 @@ class Integrator {
   virtual double least_light_probability() const { return 1; }
 
   /// The number of light paths that an image needs, besides its tiles, per sample of each
-  /// pixel; 0 if all light is found from the camera.
+  /// pixel, perhaps a fraction; 0 if all light is found from the camera.
   virtual double light_paths() const { return 0; }
 
   /// Traces light paths, by their numbers in the stream: each sample of an image of `pixels`
