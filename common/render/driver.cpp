@@ -143,6 +143,7 @@ class Job {
     tile.samples = film_.block();
     tile.first_sample = first * film_.block();
     tile.light_path_share = light_pass.share();
+    tile.share = true;
     std::array<std::array<double, 3>, most_passes_at_once * tile_size * tile_size> room;
     const auto pixels = static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
     const std::span means = std::span(room).first(blocks * pixels);
@@ -176,6 +177,7 @@ class Job {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
     result_.splat_covariance.add(splat_covariance);  // 0 for several blocks
+    result_.splat_covariance.add(counts.shared_covariance);
     blocks_done_ += blocks;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds

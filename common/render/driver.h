@@ -32,7 +32,8 @@ struct RenderResult {
   Film film;
   Counts counts{};
   /// The sum over all blocks of all tiles (blocks.h) of the Counts::splat_covariance of the block's
-  /// pass; exact, so that it does not depend on how the blocks were shared out.
+  /// pass, and their Counts::shared_covariance; exact, so that it does not depend on how the blocks
+  /// were shared out.
   ExactSum splat_covariance{};
   double seconds = 0;
   int threads = 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numeric/exact_sum.h"
 #include "numeric/vec.h"
 #include "random/hash.h"
 
@@ -22,7 +23,11 @@ struct Tile {
   /// The share of the light paths belonging to the samples (Integrator::light_paths) that is
   /// traced.
   double light_path_share = 1;
+  /// Pixels may share what their paths find, so that the errors of some are alike. All sides must
+  /// then be multiples of `sharing_pixels`, or the film's.
+  bool share = false;
 };
+constexpr int sharing_pixels = 4;
 
 /// A range of a stream's light paths.
 struct LightPaths {
@@ -46,6 +51,9 @@ struct Counts {
   /// summed over all these paths and divided by the squared share that was traced; in squared
   /// luminances of the image's mean.
   double splat_covariance = 0;
+  /// The covariances of pixels that share paths (Tile::share), in squared luminances of a block's
+  /// sums: for each block of the tile, summed over the tile's pixels, times the number of tiles.
+  ExactSum shared_covariance{};
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
@@ -54,6 +62,7 @@ struct Counts {
     cut += other.cut;
     bad += other.bad;
     splat_covariance += other.splat_covariance;
+    shared_covariance.add(other.shared_covariance);
     return *this;
   }
 };
@@ -87,7 +96,7 @@ class BlockSum {
 bool render_interrupted();
 
 /// Estimates the radiance of pixels. A sample's value depends on (seed, stream, pixel, sample
-/// index) alone, so the driver may ask for tiles in any order and from any thread.
+/// index) and Tile::share alone, so the driver may ask for tiles in any order and from any thread.
 class Integrator {
  public:
   virtual ~Integrator() = default;

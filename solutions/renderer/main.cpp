@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
                       .kernel = choice,
                       .technique = technique_of(technique, light_paths),
                       .guidance = technique == "auto" ? renderer::Guidance::automatic
-                                                      : renderer::Guidance::none});
+                                                      : renderer::Guidance::none,
+                      .share = technique == "auto"});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,
@@ -47,8 +48,9 @@ int main(int argc, char** argv) {
               .show_default();
           app.option("--technique", technique,
                      "path: all paths start at the camera; bidirectional: some at the lights, for "
-                     "caustics and hidden lights; auto: the better by a short trial, and paths "
-                     "guided to where light was found, if another finds that it pays")
+                     "caustics and hidden lights; auto: the better by a short trial; paths guided "
+                     "to where light was found, and pixels that share what their paths find, where "
+                     "others find that it pays")
               .one_of({"auto", "path", "bidirectional"})
               .show_default();
           app.footer("./carlo render --mine ... renders by your own lab 8.");

@@ -309,9 +309,11 @@ std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
     LaneChoices choices = options.choices;
     if (bidirectional) choices.light_paths = 1;
     const bool automatic = options.technique == Technique::automatic;
-    return make_lane_integrator(
-        scene, options.seed, choices,
-        {.spp = options.spp, .light_paths = automatic, .guidance = options.guidance});
+    return make_lane_integrator(scene, options.seed, choices,
+                                {.spp = options.spp,
+                                 .light_paths = automatic,
+                                 .guidance = options.guidance,
+                                 .share = options.share});
   }
   if (bidirectional) {
     throw carlo::Error(

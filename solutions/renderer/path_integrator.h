@@ -23,7 +23,10 @@ struct PathOptions {
   Kernel kernel = Kernel::best;
   Technique technique = Technique::path;
   Guidance guidance = Guidance::none;  ///< by the vector kernel
-  LaneChoices choices{};               ///< for the vector kernel, for measurements
+  /// Pixels may share what their paths find, by the vector kernel, if a short trial finds that it
+  /// pays; where a tile allows it.
+  bool share = false;
+  LaneChoices choices{};  ///< for the vector kernel, for measurements
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling

@@ -1,6 +1,6 @@
-// carlo_bits: the SHA-256 of each scene's sums, by both techniques, and guided, on each instruction
-// set of this machine, and by the scalar kernel. Every machine, compiler and standard library must
-// reproduce those in tests/references/bits.txt (written by tests/references/bits.sh).
+// carlo_bits: the SHA-256 of each scene's sums, by both techniques, guided, and shared, on each
+// instruction set of this machine, and by the scalar kernel. Every machine, compiler and standard
+// library must reproduce those in tests/references/bits.txt (written by tests/references/bits.sh).
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -8,6 +8,7 @@
 #include "lane_scenes.h"
 #include "render/driver.h"
 #include "render/scene_film.h"
+#include "renderer/lanes/lane_scene.h"
 #include "renderer/path_integrator.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
@@ -42,6 +43,7 @@ std::vector<Way> ways() {
   ways.push_back({"path", {.spp = spp, .technique = path}, true});
   ways.push_back({"bidirectional", {.spp = spp, .technique = bidirectional}, true});
   ways.push_back({"guided", {.spp = spp, .guidance = renderer::Guidance::always}, true});
+  ways.push_back({"shared", {.spp = spp, .choices = {.share = true}}, true});
   ways.push_back({"scalar", {.spp = spp, .kernel = renderer::Kernel::scalar}, false});
   return ways;
 }
@@ -178,6 +180,7 @@ int main(int argc, char** argv) {
         if (way.options.technique == renderer::Technique::bidirectional &&
             !renderer::light_paths_suit(scene))
           continue;
+        if (way.options.choices.share && !renderer::LaneScene(scene).can_share()) continue;
         if (!depends_on_embree(name, way)) comparison.look_at(name, scene, way);
       }
     }

@@ -16,6 +16,7 @@
 
 #include "course/render/report.h"
 #include "lab_scenes.h"
+#include "renderer/lanes/lane_scene.h"
 #include "renderer/production/adaptive.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
@@ -50,18 +51,24 @@ struct Way {
   Technique technique;
   std::optional<double> target = {};
   renderer::Guidance guidance = renderer::Guidance::none;
+  bool share = false;
 };
-const std::array<Way, 6> ways{
+const std::array<Way, 8> ways{
     {{"path", Technique::path},
      {"bidirectional", Technique::bidirectional},
      {"path to target", Technique::path, 0.2},
      {"both to target", Technique::bidirectional, 0.2},
      {"guided", Technique::path, {}, renderer::Guidance::always},
-     {"both, guided", Technique::bidirectional, {}, renderer::Guidance::always}}};
+     {"both, guided", Technique::bidirectional, {}, renderer::Guidance::always},
+     {"shared", Technique::path, {}, renderer::Guidance::none, true},
+     {"guided, shared", Technique::path, {}, renderer::Guidance::always, true}}};
 
 Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::uint32_t spp = 64) {
-  const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed, .spp = spp, .technique = way.technique, .guidance = way.guidance});
+  const auto integrator = renderer::make_path_integrator(scene, {.seed = seed,
+                                                                 .spp = spp,
+                                                                 .technique = way.technique,
+                                                                 .guidance = way.guidance,
+                                                                 .choices = {.share = way.share}});
   const RenderResult result =
       way.target
           ? render_adaptively(*integrator, side, side, {*way.target, spp, {}}, {.progress = false})
@@ -175,7 +182,9 @@ void measure_all(const std::string& name, std::uint64_t seeds) {
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     const Scene scene = small(name, sampler);
     const bool lights = needs(scene).area_lights() + needs(scene).point_lights > 0;
+    const bool vector_kernel = renderer::LaneScene::suits(needs(scene), scene);
     for (const Way& way : ways) {
+      if (way.share && !(vector_kernel && renderer::LaneScene(scene).can_share())) continue;
       if (way.technique == Technique::path || lights) measure(scene, name, way, seeds);
     }
   }

@@ -1,5 +1,6 @@
 // The vector kernel and the scalar integrator agree: on every tile and in the mean of every scene
-// that the kernel supports, with Sobol' and with independent points, and guided. A tile's channel
+// that the kernel supports, with Sobol' and with independent points, guided, and with pixels that
+// share. A tile's channel
 // is outside 5 standard errors with probability 5.7e-7, the image outside 3 with 2.7e-3: for 63
 // images with three channels each, which are correlated in most, another seed would fail somewhere
 // with probability .15 to .35, so the seed is fixed. Standard errors of Sobol' points are upper
@@ -36,21 +37,29 @@ Scene small(Scene scene, SamplerKind sampler) {
 }
 
 tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint64_t seed,
-                         renderer::Guidance guidance = renderer::Guidance::none) {
+                         renderer::Guidance guidance = renderer::Guidance::none,
+                         bool share = false) {
   constexpr tiles::Samples samples{32, 32};
-  const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed, .spp = samples.per_pixel(), .kernel = kernel, .guidance = guidance});
-  return tiles::estimate(*integrator, scene.width, 8, samples);
+  const auto integrator = renderer::make_path_integrator(scene, {.seed = seed,
+                                                                 .spp = samples.per_pixel(),
+                                                                 .kernel = kernel,
+                                                                 .guidance = guidance,
+                                                                 .choices = {.share = share}});
+  return tiles::estimate(*integrator, scene.width, 8, samples, share);
 }
 
 struct KernelWay {
   const char* name;
   SamplerKind sampler;
   renderer::Guidance guidance = renderer::Guidance::none;
+  bool share = false;
 };
-constexpr KernelWay kernel_ways[] = {{"independent", SamplerKind::independent},
-                                     {"Sobol'", SamplerKind::sobol},
-                                     {"guided", SamplerKind::sobol, renderer::Guidance::always}};
+constexpr KernelWay kernel_ways[] = {
+    {"independent", SamplerKind::independent},
+    {"Sobol'", SamplerKind::sobol},
+    {"guided", SamplerKind::sobol, renderer::Guidance::always},
+    {"shared", SamplerKind::sobol, renderer::Guidance::none, true},
+    {"guided, shared", SamplerKind::independent, renderer::Guidance::always, true}};
 
 }  // namespace
 
@@ -61,8 +70,10 @@ TEST_CASE("The vector kernel agrees with the scalar integrator", "[.scalar]") {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
     const tiles::Estimate oracle = oracle::of({name, full});
     for (const KernelWay& way : kernel_ways) {
+      if (way.share && !renderer::LaneScene(full).can_share()) continue;
       const Scene scene = small(full, way.sampler);
-      const tiles::Estimate kernel = estimate(scene, renderer::Kernel::best, 2, way.guidance);
+      const tiles::Estimate kernel =
+          estimate(scene, renderer::Kernel::best, 2, way.guidance, way.share);
       double worst = 0, whole = 0;
       for (std::size_t c = 0; c < 3; ++c) {
         whole = std::max(whole, std::abs(tiles::z(oracle.whole[c], kernel.whole[c])));

@@ -45,8 +45,8 @@ int random_side(double paths, carlo::Rng& rng) {
 }
 
 /// One render of about `paths` paths, at most 2^20: a film with random sides, a random seed and
-/// sampler, every other time with light paths, and every other time guided. Film positions depend
-/// on the pixels' samples, so they are new in every render.
+/// sampler, every other time with light paths, guided, or with pixels that share. Film positions
+/// depend on the pixels' samples, so they are new in every render.
 void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads, Row& row) {
   const int width = random_side(paths, rng);
   const int height = random_side(paths, rng);
@@ -57,11 +57,13 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
   carlo::resize(scene, width, height);
   const bool lights = (rng.next_u32() & 1) != 0 && renderer::light_paths_suit(scene);
   const bool guided = (rng.next_u32() & 1) != 0;
+  const bool share = (rng.next_u32() & 1) != 0;
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed,
               .spp = spp,
               .technique = lights ? renderer::Technique::bidirectional : renderer::Technique::path,
-              .guidance = guided ? renderer::Guidance::always : renderer::Guidance::none});
+              .guidance = guided ? renderer::Guidance::always : renderer::Guidance::none,
+              .choices = {.share = share}});
   const carlo::RenderResult result = carlo::render(
       *integrator, width, height, {.spp = spp, .threads = threads, .progress = false});
   row.counts += result.counts;

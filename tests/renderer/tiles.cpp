@@ -54,15 +54,19 @@ Tile estimate_tile(const carlo::Integrator& integrator, carlo::Tile tile, Sample
 
 }  // namespace
 
-Estimate estimate(const carlo::Integrator& integrator, int size, int tile, Samples samples) {
+Estimate estimate(const carlo::Integrator& integrator, int size, int tile, Samples samples,
+                  bool share) {
   const int columns = size / tile;
   Estimate result;
   result.tiles.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(columns));
   std::vector<carlo::Counts> counts(result.tiles.size());
   tbb::parallel_for(std::size_t{0}, result.tiles.size(), [&](std::size_t i) {
     const int x = static_cast<int>(i) % columns * tile, y = static_cast<int>(i) / columns * tile;
-    result.tiles[i] =
-        estimate_tile(integrator, {x, y, x + tile, y + tile, 0, 0}, samples, counts[i]);
+    result.tiles[i] = estimate_tile(
+        integrator, {.x0 = x, .y0 = y, .x1 = x + tile, .y1 = y + tile, .share = share}, samples,
+        counts[i]);
+    for (Channel& channel : result.tiles[i])
+      channel.variance *= share ? 4 : 1;
   });
   for (std::size_t i = 0; i < counts.size(); ++i) {
     result.counts += counts[i];

@@ -29,8 +29,10 @@ struct Samples {
 };
 
 /// Renders size x size pixels in tiles of tile x tile, which divides size; on all cores, with the
-/// same bits for any number of them.
-Estimate estimate(const carlo::Integrator& integrator, int size, int tile, Samples samples);
+/// same bits for any number of them. Where four pixels `share` paths, variances are four times
+/// those of independent ones, which is the most that is possible.
+Estimate estimate(const carlo::Integrator& integrator, int size, int tile, Samples samples,
+                  bool share = false);
 
 /// The difference of two independent estimates in standard errors; 0 where both are equal.
 double z(const Channel& a, const Channel& b);

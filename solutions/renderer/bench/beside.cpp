@@ -27,7 +27,8 @@ Rung render_ours(const Compared& c, std::uint64_t seed, std::uint32_t samples, I
       renderer::make_path_integrator(c.scene, {.seed = seed,
                                                .spp = samples,
                                                .technique = renderer::Technique::automatic,
-                                               .guidance = renderer::Guidance::automatic});
+                                               .guidance = renderer::Guidance::automatic,
+                                               .share = true});
   const Rendered rendered = render_timed(*integrator, c.scene, samples);
   image = rendered.film.mean();
   return {static_cast<double>(samples), rendered.seconds + integrator->seconds_spent(),

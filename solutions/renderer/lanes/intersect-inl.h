@@ -320,9 +320,11 @@ inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& se
   return clear;
 }
 
-/// The lanes of `active` whose segments reach their end, a point of a light or the camera,
-/// unoccluded; sdfs and meshes are not tested.
-template <bool close, bool full, bool to_camera = false>
+/// What a segment ends on.
+enum class End { light, camera, surface };
+
+/// The lanes of `active` whose segments reach their end unoccluded; sdfs and meshes are not tested.
+template <bool close, bool full, End end = End::light>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) {
   if (full && s.many) return unoccluded_by_trees(s, segments, active);
   M clear = active;
@@ -335,7 +337,8 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) 
   V of_origin = set(0);
   if (close) of_origin = coordinates(segments.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
-    if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.other_lights()))
+    if (end == End::light && s.lights == 1 && i == s.light_surface[0] &&
+        !(full && s.other_lights()))
       continue;
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
@@ -351,7 +354,7 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) 
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
-      clear = hn::AndNot(sphere_occludes<full>(s, i, segments), clear);
+      clear = hn::AndNot(sphere_occludes < full || end == End::surface > (s, i, segments), clear);
   }
   return clear;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #else
 // These follow the two headers above, which compile them anew.
 #include "renderer/lanes/light_paths-inl.h"
+#include "renderer/lanes/sharing-inl.h"
 #include "renderer/lanes/straight-inl.h"
 #include "renderer/lanes/tile-inl.h"
 #endif
@@ -61,9 +63,20 @@ HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   }
 }
 
+template <bool close>
+HWY_ATTR void run_shared(const LaneJob& job, std::span<std::array<double, 3>> means,
+                         carlo::Counts& counts) {
+  using Needs = Features<false, close, false, false, false, true>;
+  std::make_unique<SharedPaths<Needs>>(job, means, counts)->run();
+}
+
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
   if (job.max_depth == 1 && job.scene.straight()) return run_straight(job, means, counts);
+  if (job.shares()) {
+    if (job.scene.close()) return run_shared<true>(job, means, counts);
+    return run_shared<false>(job, means, counts);
+  }
   with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
 }
 

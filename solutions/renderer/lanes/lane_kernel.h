@@ -20,6 +20,7 @@ struct LaneChoices {
   float roulette_threshold = 0.25f;  ///< roulette ends paths below this throughput
   bool power_heuristic = true;       ///< otherwise the balance heuristic
   float light_paths = 0;             ///< number of light paths for each path from the camera
+  bool share = false;  ///< pixels share what paths find (sharing-inl.h): see LaneJob::shares
 };
 
 /// One call of the kernel: a tile of an image.
@@ -38,6 +39,10 @@ struct LaneJob {
 
   /// The samples of a pixel.
   std::uint32_t samples() const { return tile.samples * blocks; }
+  /// True if pixels share what paths find: if that is chosen and allowed, and the scene suits it.
+  bool shares() const {
+    return choices.share && tile.share && choices.light_paths == 0 && scene.can_share();
+  }
 };
 
 /// What camera paths alone would have found in place of a light path's splat. Summed over `count`

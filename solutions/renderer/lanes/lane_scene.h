@@ -171,6 +171,9 @@ struct LaneScene {
   bool searched() const { return !sdfs.empty() || meshes != nullptr; }
   /// True if the scene needs Features::close, or Features::full.
   bool close() const { return spheres() || touching || coplanar; }
+  /// True if pixels can share what paths find from their second vertices on: diffuse surfaces
+  /// alone.
+  bool can_share() const { return !full() && !phong; }
   bool full() const {
     return any_specular || sphere_lights || disks() || other_lights() || searched() || many ||
            choice.many();

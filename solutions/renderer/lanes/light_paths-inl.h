@@ -201,7 +201,7 @@ class LightPathWalk : Steps<Needs> {
     if (hn::AllFalse(d_, active)) return;
     counts_.rays += hn::CountTrue(d_, active);
     const Segments segments{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
-    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segments, active);
+    const M clear = unoccluded<Needs::close, Needs::full, End::camera>(s_, segments, active);
     if (hn::AllFalse(d_, clear)) return;
     const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const V by_camera = camera_density(job_, set(-1) * wi);

@@ -33,20 +33,83 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
+/// Numbers of up to `most_shared` paths, in columns: a cache line longer, since all columns would
+/// compete for the same lines of the cache if they began at multiples of a large power of two (a
+/// quarter of the time).
+constexpr std::size_t most_shared = 1 << 12;
+using Column = std::array<float, most_shared + 16>;
+using Column3 = std::array<Column, 3>;
+
+/// The second vertices of paths, by Paths::number.
+class SecondVertices {
+ public:
+  alignas(64) Column3 p, n;  ///< with the normal on the path's side
+  alignas(64) Column3 L;     ///< what the path found before it left this vertex
+  alignas(64) Column plane;  ///< Origins::starts_on()
+  alignas(64) Column there;  ///< 1, or 0 if the path has no such vertex
+
+  /// Notes the vertices of those paths that leave their second one, which then begin to gather
+  /// light anew.
+  HWY_INLINE void note(Paths& paths, V3 normal, U on) {
+    const M here = hn::And(same(paths.depth, set_word(2)), paths.alive);
+    if (hn::AllFalse(d_, here)) return;
+    const ToFront front(here);
+    std::size_t column = 0;
+    const auto put = [&](V v)
+                         HWY_ATTR { hn::StoreU(front(v), d_, queue_[column++].data() + queued_); };
+    put(paths.from.o.x), put(paths.from.o.y), put(paths.from.o.z);
+    put(normal.x), put(normal.y), put(normal.z);
+    put(paths.L.x), put(paths.L.y), put(paths.L.z);
+    put(hn::BitCast(d_, on)), put(hn::BitCast(d_, paths.number));
+    queued_ += hn::CountTrue(d_, here);
+    paths.L = select(here, set(0, 0, 0), paths.L);
+    if (queued_ > queue_length) put_in_place();
+  }
+
+  /// To be called before the columns are read.
+  void put_in_place() {
+    for (std::size_t i = 0; i < queued_; ++i) {
+      const auto number = std::bit_cast<std::uint32_t>(queue_[10][i]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        p[c][number] = queue_[c][i];
+        n[c][number] = queue_[3 + c][i];
+        L[c][number] = queue_[6 + c][i];
+      }
+      plane[number] = queue_[9][i];
+      there[number] = 1;
+    }
+    queued_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t queue_length = 128;
+  std::array<std::array<float, queue_length + 2 * lanes>, 11> queue_;
+  std::size_t queued_ = 0;
+};
+
 /// Traces camera paths.
 template <class Needs>
 class Walk : Steps<Needs> {
  public:
   /// If the job has a learner, adds the paths' vertices to `visits`.
-  HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts, Visits* visits = nullptr)
-      : Steps<Needs>(job, counts), visits_(visits) {}
+  HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts, Visits* visits = nullptr,
+                  SecondVertices* seconds = nullptr)
+      : Steps<Needs>(job, counts), visits_(visits), seconds_(seconds) {}
 
   /// Follows every path's ray to the next surface, gathers light there and samples the next ray.
-  HWY_INLINE void extend(Paths& paths) const {
+  /// Paths whose second vertices are shared say whether this is their `first` one.
+  HWY_INLINE void extend(Paths& paths, bool first = false) const {
     Vertex vertex;
     this->find(paths, vertex);
-    shade(paths, vertex);
+    shade(paths, vertex, first);
     if (visits_ != nullptr) note(paths, vertex);
+  }
+
+  /// Roulette at first vertices, where extend() leaves it out; returns the probabilities to go on.
+  HWY_INLINE V end_some(Paths& paths) const {
+    const V q = hn::Min(hn::Mul(max_element(paths.beta), set(this->per_threshold_)), set(1));
+    this->roulette_by(paths, q);
+    return q;
   }
 
   /// The same for one register of paths, or `batch` of them where there are sdfs.
@@ -54,7 +117,7 @@ class Walk : Steps<Needs> {
 
   // For step_batch().
 
-  HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
+  HWY_INLINE void shade(Paths& paths, Vertex& vertex, bool first = false) const {
     paths.depth = hn::Add(paths.depth, set_word(1));
     if (visits_ != nullptr) vertex.scattered = hn::FirstN(d_, 0);
     const M met = differs(vertex.hits.surface, set_word(nothing));
@@ -68,6 +131,12 @@ class Walk : Steps<Needs> {
     if constexpr (Needs::straight) return;
     if (!this->survives(paths, shading)) return;
     this->arrive(paths, shading, vertex);
+    if constexpr (Needs::shared) {
+      if (first)
+        paths.n = each(shading.n);
+      else
+        seconds_->note(paths, shading.n, paths.from.template starts_on<Needs::close>());
+    }
     const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
@@ -94,7 +163,7 @@ class Walk : Steps<Needs> {
       pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
     if (Needs::full && s_.any_specular)
       this->roulette(paths, paths.roulette_scale);
-    else
+    else if (!(Needs::shared && first))
       this->roulette(paths);
   }
 
@@ -107,6 +176,7 @@ class Walk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
   Visits* visits_;
+  SecondVertices* seconds_;
 
   /// The density of light paths whose second to last vertex is this one, over that of this path:
   /// `factor` times the BRDF's pdf of the reverse direction, or `factor` alone at the first vertex

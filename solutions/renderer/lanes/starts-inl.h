@@ -41,6 +41,16 @@ HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
+/// The random word of a pixel. Words of 32 bits, so of n pixels about n^2 / 2^33 pairs share all
+/// their random numbers (of 384 x 384, two or three): their errors are alike, while each pixel's
+/// error bar still holds.
+inline std::uint32_t key_of_pixel(const LaneJob& job, int x, int y) {
+  const std::uint64_t number =
+      static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.width) +
+      static_cast<std::uint64_t>(x);
+  return static_cast<std::uint32_t>(carlo::hash(job.seed, number));
+}
+
 /// A register of camera rays; of the last ones of a tile, only the first `count` lanes.
 struct CameraRays {
   V3 d;
@@ -62,7 +72,7 @@ class Starts {
         x_(job.tile.x0),
         y_(job.tile.y0),
         job_(job) {
-    pixel_key_ = key_of_pixel();
+    pixel_key_ = key_of_pixel(job_, x_, y_);
   }
 
   /// Lets up to `most` more samples start, once all earlier ones have started; returns how many.
@@ -183,16 +193,7 @@ class Starts {
   void next_pixel() {
     sample_ = 0;
     if (++x_ == job_.tile.x1) x_ = job_.tile.x0, ++y_;
-    pixel_key_ = key_of_pixel();
-  }
-
-  /// Words of 32 bits, so of n pixels about n^2 / 2^33 pairs share all their random numbers (of
-  /// 384 x 384, two or three): their errors are alike, while each pixel's error bar still holds.
-  std::uint32_t key_of_pixel() const {
-    const std::uint64_t number =
-        static_cast<std::uint64_t>(y_) * static_cast<std::uint64_t>(job_.width) +
-        static_cast<std::uint64_t>(x_);
-    return static_cast<std::uint32_t>(carlo::hash(job_.seed, number));
+    pixel_key_ = key_of_pixel(job_, x_, y_);
   }
 
   template <class Queue, class Tag>

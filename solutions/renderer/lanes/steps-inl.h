@@ -41,12 +41,13 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
 /// sdfs, meshes, emitting spheres, point lights, an environment map. `light_paths`: some paths
 /// start at the lights, and others leave contributions to them (light_paths-inl.h). `straight`: all
-/// paths end at their first surface (straight-inl.h).
+/// paths end at their first surface (straight-inl.h). `shared`: pixels share what their paths find
+/// (sharing-inl.h).
 template <bool phong_, bool close_, bool full_ = false, bool light_paths_ = false,
-          bool straight_ = false>
+          bool straight_ = false, bool shared_ = false>
 struct Features {
   static constexpr bool phong = phong_, close = close_, full = full_, light_paths = light_paths_,
-                        straight = straight_;
+                        straight = straight_, shared = shared_;
 };
 
 struct Paths {

@@ -179,7 +179,7 @@ HWY_INLINE void run_straight(const LaneJob& job, std::span<std::array<double, 3>
       paths.d = rays.d, paths.alive = alive;
       paths.L = set(0, 0, 0), paths.beta = set(1, 1, 1);
       walk.shade(paths, vertex);
-      sums.keep_row(paths, alive, first, counts);
+      sums.radiances().keep_row(paths, alive, first, counts);
     }
     sums.add(some);
   }

@@ -23,23 +23,15 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The radiances of the blocks of a tile's pixels, summed in the order of the samples, since the
-/// order in which paths end depends on the number of lanes. Up to `most` samples are stored before
-/// they are added.
-class Sums {
+/// The radiances of paths, by Paths::number, since the order in which paths end depends on the
+/// number of lanes.
+class Radiances {
  public:
-  static constexpr std::uint32_t most = 1 << 14;
+  explicit Radiances(std::size_t paths)
+      : kept_(std::make_unique_for_overwrite<float[]>(3 * (paths + lanes))) {}
 
-  /// The means go to `means` as render_lanes() returns them.
-  Sums(const LaneJob& job, std::span<std::array<double, 3>> means)
-      : samples_(job.tile.samples),
-        blocks_(job.blocks),
-        means_(means),
-        kept_(std::make_unique_for_overwrite<float[]>(
-            3 * (std::min<std::size_t>(most, means.size() * samples_) + lanes))) {}
-
-  /// Stores the radiances of paths that have ended, by Paths::number. Invalid values are counted
-  /// and skipped, as in carlo::BlockSum.
+  /// Stores those of paths that have ended. Invalid values are counted and become black, as in
+  /// carlo::BlockSum.
   HWY_INLINE void keep(const Paths& paths, M ended, carlo::Counts& counts) {
     const V3 L = valid(paths.L, ended, counts);
     const ToFront front(ended);
@@ -58,16 +50,62 @@ class Sums {
     hn::StoreInterleaved3(L.x, L.y, L.z, d_, kept_.get() + std::size_t{3} * first);
   }
 
+  /// All that were stored, rgb rgb ...
+  const float* stored() {
+    put_in_place();
+    return kept_.get();
+  }
+
+  HWY_INLINE static V3 valid(V3 L, M ended, carlo::Counts& counts) {
+    const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
+                           hn::And(hn::Ge(L.z, set(0)),
+                                   hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
+    counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
+    return {hn::IfThenElseZero(good, L.x), hn::IfThenElseZero(good, L.y),
+            hn::IfThenElseZero(good, L.z)};
+  }
+
+ private:
+  void put_in_place() {
+    for (std::size_t i = 0; i < queued_; ++i) {
+      float* const kept = kept_.get() + std::size_t{3} * number_[i];
+      kept[0] = r_[i], kept[1] = g_[i], kept[2] = b_[i];
+    }
+    queued_ = 0;
+  }
+
+  /// Paths that have ended are collected here, since branch prediction cannot foresee how many end
+  /// at a time.
+  static constexpr std::size_t queue_length = 128;
+  std::array<float, queue_length + 2 * lanes> r_, g_, b_;
+  std::array<std::uint32_t, queue_length + 2 * lanes> number_;
+  std::size_t queued_ = 0;
+  std::unique_ptr<float[]> kept_;  ///< with room for a register behind the last
+};
+
+/// The radiances of the blocks of a tile's pixels, summed in the order of the samples. Up to `most`
+/// samples are stored before they are added.
+class Sums {
+ public:
+  static constexpr std::uint32_t most = 1 << 14;
+
+  /// The means go to `means` as render_lanes() returns them.
+  Sums(const LaneJob& job, std::span<std::array<double, 3>> means)
+      : radiances_(std::min<std::size_t>(most, means.size() * job.tile.samples)),
+        samples_(job.tile.samples),
+        blocks_(job.blocks),
+        means_(means) {}
+
+  Radiances& radiances() { return radiances_; }
+
   /// The first `count` stored samples, rgb rgb ...
   std::span<const float> stored(std::uint32_t count) {
-    put_in_place();
-    return {kept_.get(), std::size_t{3} * count};
+    return {radiances_.stored(), std::size_t{3} * count};
   }
 
   /// Adds the first `count` stored samples to the sums; completes the blocks that they end.
   void add(std::uint32_t count) {
-    put_in_place();
-    const float* next = kept_.get();
+    const float* next = radiances_.stored();
     while (count > 0) {
       const std::uint32_t here = std::min(count, samples_ - sample_);
       Four four = sample_ == 0 ? Four{} : four_;
@@ -82,23 +120,6 @@ class Sums {
   }
 
  private:
-  HWY_INLINE static V3 valid(V3 L, M ended, carlo::Counts& counts) {
-    const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
-                           hn::And(hn::Ge(L.z, set(0)),
-                                   hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
-    counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
-    return {hn::IfThenElseZero(good, L.x), hn::IfThenElseZero(good, L.y),
-            hn::IfThenElseZero(good, L.z)};
-  }
-
-  void put_in_place() {
-    for (std::size_t i = 0; i < queued_; ++i) {
-      float* const kept = kept_.get() + std::size_t{3} * number_[i];
-      kept[0] = r_[i], kept[1] = g_[i], kept[2] = b_[i];
-    }
-    queued_ = 0;
-  }
-
   /// Four interleaved sums hide the latency of additions.
   using Four = std::array<double, 12>;
 
@@ -129,16 +150,9 @@ class Sums {
     if (++block_ == blocks_) block_ = 0, ++pixel_;
   }
 
-  /// Paths that have ended are collected here, since branch prediction cannot foresee how many end
-  /// at a time.
-  static constexpr std::size_t queue_length = 128;
-  std::array<float, queue_length + 2 * lanes> r_, g_, b_;
-  std::array<std::uint32_t, queue_length + 2 * lanes> number_;
-  std::size_t queued_ = 0;
-
+  Radiances radiances_;
   std::uint32_t samples_, blocks_;
   std::span<std::array<double, 3>> means_;
-  std::unique_ptr<float[]> kept_;  ///< with room for a register behind the last
   /// What add() has reached: a pixel, a block of it, the number of the block's samples so far, and
   /// their sums.
   std::size_t pixel_ = 0;

@@ -62,7 +62,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
       walk.extend(paths[0]);
     for (std::size_t w = 0; w < registers; ++w) {
       const M ended = hn::AndNot(paths[w].alive, before[w]);
-      if (!hn::AllFalse(d_, ended)) sums.keep(paths[w], ended, counts);
+      if (!hn::AllFalse(d_, ended)) sums.radiances().keep(paths[w], ended, counts);
     }
   }
 }

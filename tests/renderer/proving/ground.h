@@ -62,4 +62,9 @@ std::vector<Proof> proving_ground();
 /// The hash of a name; the same with every standard library.
 std::uint64_t hash_of(const std::string& name);
 
+/// Panels, boxes and balls of sizes from .01 to 3 around a camera, some of which emit, with or
+/// without a floor and a sky, in one of several scales. The right image is unknown, but all kernels
+/// must agree on it.
+carlo::Scene random_scene(std::uint64_t seed);
+
 }  // namespace proving

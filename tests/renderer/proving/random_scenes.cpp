@@ -1,5 +1,4 @@
-#include "proving/random_scenes.h"
-
+#include "proving/ground.h"
 #include "proving/parts.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 #include "proving/readings.h"
 
+#include "course/render/report.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 #include "scene_renderer/lab_integrator.h"
@@ -23,24 +24,27 @@ constexpr double sigmas = 5, most_error = .02, darkness = 1e-6;
 /// Null if the kernel does not support the scene.
 std::unique_ptr<Integrator> make_kernel(const Scene& scene, std::size_t kernel, std::uint64_t seed,
                                         std::uint32_t spp) {
-  if (kernel == 2) {
+  if (kernel == 3) {
     try {
       return lab08::make_lab_integrator(scene, {lab08::Method::iterative, seed, spp});
     } catch (const carlo::Error&) {
       return nullptr;
     }
   }
-  if (kernel == 1 && !renderer::LaneScene::suits(needs(scene), scene)) return nullptr;
+  const bool lanes = kernel == 1 || kernel == 2;
+  if (lanes && !renderer::LaneScene::suits(needs(scene), scene)) return nullptr;
+  if (kernel == 2 && !renderer::LaneScene(scene).can_share()) return nullptr;
   return renderer::make_path_integrator(
       scene, {.seed = seed,
               .spp = spp,
-              .kernel = kernel == 0 ? renderer::Kernel::scalar : renderer::Kernel::best});
+              .kernel = kernel == 0 ? renderer::Kernel::scalar : renderer::Kernel::best,
+              .choices = {.share = kernel == 2}});
 }
 
 Reading read_kernel(const Integrator& integrator, const Scene& scene, std::uint32_t spp) {
   const carlo::RenderResult result =
       render(integrator, scene.width, scene.height, {.spp = spp, .threads = 1, .progress = false});
-  const carlo::MeanRadiance mean = mean_radiance(result.film);
+  const carlo::MeanRadiance mean = mean_of(result);
   return {mean.value, mean.standard_error, result.counts.bad, result.counts.cut, result.seconds};
 }
 

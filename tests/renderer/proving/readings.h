@@ -10,8 +10,9 @@
 
 namespace proving {
 
-/// The scalar integrator, the vector kernel, and lab 8's solution in a loop.
-constexpr std::array<const char*, 3> kernel_names = {"scalar", "vector", "lab 08"};
+/// The scalar integrator, the vector kernel, the same with pixels that share, and lab 8's solution
+/// in a loop.
+constexpr std::array<const char*, 4> kernel_names = {"scalar", "vector", "shared", "lab 08"};
 
 /// The result of one kernel's film.
 struct Reading {
