@@ -28,18 +28,17 @@ int main(int argc, char** argv) {
     std::string technique = "auto";
     return carlo::render_command(
         argc, argv,
-        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
-            std::optional<bool> light_paths) {
+        [&](const carlo::Scene& scene, const carlo::RenderPlan& plan) {
           const auto choice =
               kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best;
           return renderer::make_path_integrator(
-              scene, {.seed = seed,
-                      .spp = spp,
+              scene, {.seed = plan.seed,
+                      .spp = plan.spp,
                       .kernel = choice,
-                      .technique = technique_of(technique, light_paths),
+                      .technique = technique_of(technique, plan.light_paths),
                       .guidance = technique == "auto" ? renderer::Guidance::automatic
                                                       : renderer::Guidance::none,
-                      .share = technique == "auto"});
+                      .share = technique == "auto" && !plan.to_target});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,

@@ -106,7 +106,10 @@ RenderTask task_of(const Command& command, std::optional<std::uint32_t> planned 
   task.spp = static_cast<std::uint32_t>(task.scene.spp);
   task.reference = read_reference(a.reference, task.scene.width, task.scene.height);
   if (!planned) planned = a.target_error ? adaptive_strata : task.spp;
-  task.integrator = command.factory(task.scene, task.seed, *planned, light_paths);
+  task.integrator = command.factory(task.scene, {.seed = task.seed,
+                                                 .spp = *planned,
+                                                 .to_target = a.target_error.has_value(),
+                                                 .light_paths = light_paths});
   task.settings =
       render_settings(task.scene, task.integrator->name(), task.seed, *planned, a.definitions);
   if (a.target_error) {

@@ -12,10 +12,16 @@ namespace carlo {
 
 class CommandLine;
 
-/// Makes an integrator for a scene; `spp` is the planned number of samples per pixel, `light_paths`
-/// says whether it traces light paths, if that was decided before.
-using ProductionFactory = std::function<std::unique_ptr<Integrator>(
-    const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> light_paths)>;
+/// What an integrator is for.
+struct RenderPlan {
+  std::uint64_t seed = 1;
+  std::uint32_t spp = 64;                ///< planned samples per pixel
+  bool to_target = false;                ///< until each pixel has an error below a target
+  std::optional<bool> light_paths = {};  ///< whether it traces them, if that was decided before
+};
+/// Makes an integrator for a scene.
+using ProductionFactory =
+    std::function<std::unique_ptr<Integrator>(const Scene& scene, const RenderPlan& plan)>;
 
 /// The command `render` of the reference renderer: like render_app() (course/render), with target
 /// errors, resuming, shares and clusters. Returns the exit code; throws Error.
