@@ -63,10 +63,10 @@ HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   }
 }
 
-template <bool close>
+template <bool close, bool full>
 HWY_ATTR void run_shared(const LaneJob& job, std::span<std::array<double, 3>> means,
                          carlo::Counts& counts) {
-  using Needs = Features<false, close, false, false, false, true>;
+  using Needs = Features<full, close, full, false, false, true>;
   std::make_unique<SharedPaths<Needs>>(job, means, counts)->run();
 }
 
@@ -74,8 +74,9 @@ HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> m
                           carlo::Counts& counts) {
   if (job.max_depth == 1 && job.scene.straight()) return run_straight(job, means, counts);
   if (job.shares()) {
-    if (job.scene.close()) return run_shared<true>(job, means, counts);
-    return run_shared<false>(job, means, counts);
+    if (job.scene.full()) return run_shared<true, true>(job, means, counts);
+    if (job.scene.close()) return run_shared<true, false>(job, means, counts);
+    return run_shared<false, false>(job, means, counts);
   }
   with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
 }

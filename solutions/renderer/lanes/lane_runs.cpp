@@ -1,7 +1,6 @@
-#include "renderer/lanes/lane_runs.h"
-
 #include "geometry/planes.h"
 #include "renderer/lanes/lane_plan.h"
+#include "renderer/lanes/lane_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "renderer/lanes/lane_boxes.h"
 #include "renderer/lanes/lane_columns.h"
 #include "renderer/lanes/lane_plan.h"
-#include "renderer/lanes/lane_runs.h"
 #include "scene/center.h"
 #include "scene/match.h"
 

@@ -98,7 +98,7 @@ struct LaneScene {
   Column<std::uint32_t> run_end{room};
   Column<std::uint32_t> turned{
       room};  ///< true if its normal is opposite to that of the row's first
-  /// Patches: a few parallelograms of a row that lie together (lane_runs.h). For the first of each:
+  /// Patches: a few parallelograms of a row that lie together (lane_plan.h). For the first of each:
   /// one past the last number, and the middle and half size of a rectangle around the patch, in the
   /// coordinates (a, b) of the row's first.
   Column<std::uint32_t> patch_end{room};
@@ -173,7 +173,7 @@ struct LaneScene {
   bool close() const { return spheres() || touching || coplanar; }
   /// True if pixels can share what paths find from their second vertices on: diffuse surfaces
   /// alone.
-  bool can_share() const { return !full() && !phong; }
+  bool can_share() const { return !phong && !any_specular && sdfs.empty(); }
   bool full() const {
     return any_specular || sphere_lights || disks() || other_lights() || searched() || many ||
            choice.many();

@@ -17,6 +17,7 @@
 #include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/points-inl.h"
 #include "renderer/lanes/sdf_hits-inl.h"
+#include "renderer/lanes/shared_vertices-inl.h"
 #include "renderer/lanes/sky-inl.h"
 #include "renderer/lanes/steps-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
@@ -33,60 +34,6 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Numbers of up to `most_shared` paths, in columns: a cache line longer, since all columns would
-/// compete for the same lines of the cache if they began at multiples of a large power of two (a
-/// quarter of the time).
-constexpr std::size_t most_shared = 1 << 12;
-using Column = std::array<float, most_shared + 16>;
-using Column3 = std::array<Column, 3>;
-
-/// The second vertices of paths, by Paths::number.
-class SecondVertices {
- public:
-  alignas(64) Column3 p, n;  ///< with the normal on the path's side
-  alignas(64) Column3 L;     ///< what the path found before it left this vertex
-  alignas(64) Column plane;  ///< Origins::starts_on()
-  alignas(64) Column there;  ///< 1, or 0 if the path has no such vertex
-
-  /// Notes the vertices of those paths that leave their second one, which then begin to gather
-  /// light anew.
-  HWY_INLINE void note(Paths& paths, V3 normal, U on) {
-    const M here = hn::And(same(paths.depth, set_word(2)), paths.alive);
-    if (hn::AllFalse(d_, here)) return;
-    const ToFront front(here);
-    std::size_t column = 0;
-    const auto put = [&](V v)
-                         HWY_ATTR { hn::StoreU(front(v), d_, queue_[column++].data() + queued_); };
-    put(paths.from.o.x), put(paths.from.o.y), put(paths.from.o.z);
-    put(normal.x), put(normal.y), put(normal.z);
-    put(paths.L.x), put(paths.L.y), put(paths.L.z);
-    put(hn::BitCast(d_, on)), put(hn::BitCast(d_, paths.number));
-    queued_ += hn::CountTrue(d_, here);
-    paths.L = select(here, set(0, 0, 0), paths.L);
-    if (queued_ > queue_length) put_in_place();
-  }
-
-  /// To be called before the columns are read.
-  void put_in_place() {
-    for (std::size_t i = 0; i < queued_; ++i) {
-      const auto number = std::bit_cast<std::uint32_t>(queue_[10][i]);
-      for (std::size_t c = 0; c < 3; ++c) {
-        p[c][number] = queue_[c][i];
-        n[c][number] = queue_[3 + c][i];
-        L[c][number] = queue_[6 + c][i];
-      }
-      plane[number] = queue_[9][i];
-      there[number] = 1;
-    }
-    queued_ = 0;
-  }
-
- private:
-  static constexpr std::size_t queue_length = 128;
-  std::array<std::array<float, queue_length + 2 * lanes>, 11> queue_;
-  std::size_t queued_ = 0;
-};
-
 /// Traces camera paths.
 template <class Needs>
 class Walk : Steps<Needs> {
@@ -97,23 +44,33 @@ class Walk : Steps<Needs> {
       : Steps<Needs>(job, counts), visits_(visits), seconds_(seconds) {}
 
   /// Follows every path's ray to the next surface, gathers light there and samples the next ray.
-  /// Paths whose second vertices are shared say whether this is their `first` one.
-  HWY_INLINE void extend(Paths& paths, bool first = false) const {
+  HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
-    shade(paths, vertex, first);
+    shade(paths, vertex);
     if (visits_ != nullptr) note(paths, vertex);
   }
 
-  /// Roulette at first vertices, where extend() leaves it out; returns the probabilities to go on.
+  /// The same for one register of paths, or `batch` of them where there are sdfs.
+  HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
+
+  /// The same for camera rays of paths that pixels share, without roulette.
+  HWY_NOINLINE void extend_first(Paths& paths) const {
+    if constexpr (Needs::full) {
+      this->step_batch(First{*this}, std::span(&paths, 1));
+    } else {
+      Vertex vertex;
+      this->find(paths, vertex);
+      shade(paths, vertex, true);
+    }
+  }
+
+  /// That roulette; returns the probabilities to go on.
   HWY_INLINE V end_some(Paths& paths) const {
     const V q = hn::Min(hn::Mul(max_element(paths.beta), set(this->per_threshold_)), set(1));
     this->roulette_by(paths, q);
     return q;
   }
-
-  /// The same for one register of paths, or `batch` of them where there are sdfs.
-  HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
 
   // For step_batch().
 
@@ -133,9 +90,9 @@ class Walk : Steps<Needs> {
     this->arrive(paths, shading, vertex);
     if constexpr (Needs::shared) {
       if (first)
-        paths.n = each(shading.n);
+        paths.n = each(shading.ns), seconds_->n_of_first = each(shading.n);
       else
-        seconds_->note(paths, shading.n, paths.from.template starts_on<Needs::close>());
+        seconds_->template note<Needs>(paths, shading.n);
     }
     const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
@@ -173,6 +130,13 @@ class Walk : Steps<Needs> {
   }
 
  private:
+  /// For step_batch(): at first vertices.
+  struct First {
+    const Walk& walk;
+    HWY_INLINE void shade(Paths& paths, Vertex& vertex) const { walk.shade(paths, vertex, true); }
+    HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const { walk.gather(paths, vertex); }
+  };
+
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
   Visits* visits_;

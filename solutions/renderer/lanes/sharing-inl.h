@@ -10,7 +10,9 @@
 #include "random/hash.h"
 #include "render/blocks.h"
 #include "renderer/lanes/intersect-inl.h"
+#include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/paths-inl.h"
+#include "renderer/lanes/shared_vertices-inl.h"
 #include "renderer/lanes/starts-inl.h"
 #include "renderer/lanes/sums-inl.h"
 
@@ -53,6 +55,7 @@ class SharedPaths {
         counts_(counts),
         columns_((job.tile.x1 - job.tile.x0 + 3) / 4),
         groups_(columns_ * ((job.tile.y1 - job.tile.y0 + 3) / 4) * 4),
+        seconds_(s_),
         walk_(job, counts, nullptr, &seconds_) {}
 
   HWY_ATTR void run() {
@@ -114,7 +117,8 @@ class SharedPaths {
     paths.from.o = set(o.x, o.y, o.z);
     paths.from.plane = paths.from.last = set_word(nothing);
     paths.beta = set(1, 1, 1);
-    paths.guided = set(1);
+    paths.guided = paths.roulette_scale = set(1);
+    paths.from.clear = each(paths.from.o);
     paths.pdf = set(-1);
     const M inside = hn::And(hn::Lt(px, set(static_cast<float>(job_.tile.x1))),
                              hn::Lt(py, set(static_cast<float>(job_.tile.y1))));
@@ -135,7 +139,7 @@ class SharedPaths {
     Paths paths = at_camera(row);
     paths.number = hn::Add(hn::Iota(du_, 0), set_word(static_cast<std::uint32_t>(slot)));
     counts_.paths += hn::CountTrue(d_, paths.alive);
-    walk_.extend(paths, true);
+    walk_.extend_first(paths);
     const M there = hn::And(paths.alive, hn::Gt(max_element(paths.beta), set(0)));
     store(firsts_.there, slot, hn::IfThenElseZero(there, set(1)));
     store(firsts_.k, slot, paths.beta);
@@ -145,6 +149,10 @@ class SharedPaths {
     store(firsts_.per_q, slot, hn::IfThenElseZero(paths.alive, hn::Div(set(1), q)));
     store(firsts_.p, slot, paths.from.o);
     store(firsts_.n, slot, paths.n);
+    if constexpr (Needs::full) {
+      store(firsts_.flat_n, slot, seconds_.n_of_first);
+      store(firsts_.clear, slot, paths.from.clear);
+    }
     store(firsts_.L, slot, paths.L);
     if constexpr (Needs::close) store(firsts_.arrival, slot, paths.from.arrival);
     store(firsts_.last, slot, paths.from.last);
@@ -165,11 +173,12 @@ class SharedPaths {
     each_of(paths.from.o), each_of(paths.d), f(paths.pdf);
     f(paths.from.last), f(paths.key), f(paths.reversed_index), f(paths.number);
     if constexpr (Needs::close) f(paths.from.plane), each_of(paths.from.arrival);
+    if constexpr (Needs::full) each_of(paths.from.clear);
     if (job_.guide != nullptr) f(paths.guided);
-    if (s_.lights <= 1) return;
+    if (s_.lights <= 1 && !(Needs::full && s_.any_mesh_light)) return;
     each_of(paths.n), f(paths.probabilities.per_weight), f(paths.probabilities.of_each);
   }
-  static constexpr std::size_t most_columns = 21;
+  static constexpr std::size_t most_columns = 24;
 
   /// Starts waiting paths in free lanes.
   HWY_INLINE void refill(Paths& paths) {
@@ -201,13 +210,16 @@ class SharedPaths {
   HWY_NOINLINE bool trace() {
     auto paths = zeros<Paths>();
     paths.alive = hn::FirstN(d_, 0);
-    paths.guided = set(1);
+    paths.guided = paths.roulette_scale = set(1);
     for (std::uint64_t round = 0;; ++round) {
       refill(paths);
       const M before = paths.alive;
       if (hn::AllFalse(d_, before)) return true;
       if (round % 4096 == 4095 && carlo::render_interrupted()) return false;
-      walk_.extend(paths);
+      if constexpr (Needs::full)
+        walk_.extend_batch(std::span(&paths, 1));
+      else
+        walk_.extend(paths);
       const M ended = hn::AndNot(paths.alive, before);
       if (!hn::AllFalse(d_, ended)) rest_.keep(paths, ended, counts_);
     }
@@ -248,43 +260,50 @@ class SharedPaths {
     V own, of_next, of_second, of_third;
   };
   HWY_INLINE Densities densities(std::size_t slot, M there, M goes_on) {
-    Origins from = zeros<Origins>();
-    from.o = load(firsts_.p, slot);
-    if constexpr (Needs::close) from.arrival = load(firsts_.arrival, slot);
-    from.last = load_word(firsts_.last, slot);
-    from.plane = load_word(firsts_.plane, slot);
-    const V3 n = load(firsts_.n, slot);
-    const V3 y = load(seconds_.p, slot), ny = load(seconds_.n, slot);
-    const V plane = load(seconds_.plane, slot), y_there = hn::IfThenElseZero(goes_on, set(1));
+    const V y_there = hn::IfThenElseZero(goes_on, set(1));
     const auto of = [&]<int k>(std::integral_constant<int, k>) HWY_ATTR {
       const M both = hn::And(there, hn::Gt(swap<k>(y_there), set(0)));
-      return density<k == 0>(from, n, both, swap<k>(y), swap<k>(ny),
-                             hn::BitCast(du_, swap<k>(plane)));
+      return density<k>(slot, both);
     };
     return {of(std::integral_constant<int, 0>()), of(std::integral_constant<int, 1>()),
             of(std::integral_constant<int, 2>()), of(std::integral_constant<int, 3>())};
   }
 
-  /// The density of y in the lanes of `both`, up to a factor; 0 where it is hidden, but never for a
-  /// path's own.
-  template <bool own>
-  HWY_INLINE V density(const Origins& from, V3 n, M both, V3 y, V3 ny, U plane) const {
-    const V3 to = y - from.o;
+  /// The density of the y of lane ^ k in the lanes of `both`, up to a factor; 0 where it is hidden,
+  /// but never for a path's own.
+  template <int k>
+  HWY_INLINE V density(std::size_t slot, M both) const {
+    const V3 x = load(firsts_.p, slot), y = swap<k>(load(seconds_.p, slot));
+    const V3 to = y - x;
     const V distance2 = dot(to, to), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to;
-    const V cosine = dot(n, wi), y_cosine = hn::Neg(dot(ny, wi));
+    const V cosine = dot(load(firsts_.n, slot), wi);
+    const V y_cosine = hn::Neg(dot(swap<k>(load(seconds_.n, slot)), wi));
     const V p = hn::Mul(hn::Mul(cosine, y_cosine), hn::Mul(inverse, inverse));
     M seen = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(y_cosine, set(0))),
                      hn::And(both, hn::Lt(p, set(longest))));
-    if constexpr (own)  // its path went there, whatever rounding says
+    if constexpr (k == 0)  // its path went there, whatever rounding says
       return hn::IfThenElseZero(both, hn::IfThenElse(seen, p, set(1 / longest)));
+    Origins from = zeros<Origins>();
+    from.o = x;
+    if constexpr (Needs::close) from.arrival = load(firsts_.arrival, slot);
+    from.last = load_word(firsts_.last, slot);
+    from.plane = load_word(firsts_.plane, slot);
+    const U plane = hn::BitCast(du_, swap<k>(load(seconds_.plane, slot)));
     M elsewhere = differs(plane, from.template starts_on<Needs::close>());
     if constexpr (Needs::close) elsewhere = hn::Or(elsewhere, is_from(s_.first_sphere, plane));
     seen = hn::And(seen, elsewhere);
+    if (Needs::full && s_.smooth)
+      seen = hn::And(seen, hn::Gt(dot(load(firsts_.flat_n, slot), wi), set(0)));
     if (hn::AllFalse(d_, seen)) return set(0);
     counts_.rays += hn::CountTrue(d_, seen);
     const Segments segments{from, wi, y, hn::Mul(distance2, inverse), plane};
-    return hn::IfThenElseZero(unoccluded<Needs::close, false, End::surface>(s_, segments, seen), p);
+    M clear = unoccluded<Needs::close, Needs::full, End::surface>(s_, segments, seen);
+    if (Needs::full && s_.meshes) {
+      occlude_by_meshes(s_, load(firsts_.clear, slot), swap<k>(load(seconds_.clear, slot)),
+                        set(1 - 1e-6f), clear);
+    }
+    return hn::IfThenElseZero(clear, p);
   }
 
   /// Adds a row's samples to the sums of its pixels; completes the blocks that they end.
@@ -343,32 +362,6 @@ class SharedPaths {
   HWY_INLINE static V3 swap(V3 v) {
     return {swap<k>(v.x), swap<k>(v.y), swap<k>(v.z)};
   }
-  HWY_INLINE static V load(const Column& column, std::size_t slot) {
-    return hn::Load(d_, column.data() + slot);
-  }
-  HWY_INLINE static U load_word(const Column& column, std::size_t slot) {
-    return hn::BitCast(du_, load(column, slot));
-  }
-  HWY_INLINE static V3 load(const Column3& c, std::size_t slot) {
-    return {load(c[0], slot), load(c[1], slot), load(c[2], slot)};
-  }
-  HWY_INLINE static void store(Column& column, std::size_t slot, V v) {
-    hn::Store(v, d_, column.data() + slot);
-  }
-  HWY_INLINE static void store(Column& column, std::size_t slot, U u) {
-    hn::Store(hn::BitCast(d_, u), d_, column.data() + slot);
-  }
-  HWY_INLINE static void store(Column3& c, std::size_t slot, V3 v) {
-    store(c[0], slot, v.x), store(c[1], slot, v.y), store(c[2], slot, v.z);
-  }
-
-  /// The first vertices of a batch, by Paths::number.
-  struct FirstVertices {
-    alignas(64) Column3 p, n, arrival;
-    alignas(64) Column3 k, L;     ///< reflectance, and what the path found so far
-    alignas(64) Column q, per_q;  ///< probability to go on; one over it, or 0 if the path ended
-    alignas(64) Column last, plane, there;
-  };
 
   const LaneJob& job_;
   const LaneScene& s_;
