@@ -48,6 +48,7 @@ struct Variant {
   renderer::LaneChoices choices{};
   renderer::Technique technique = renderer::Technique::automatic;  ///< as in `./carlo render`
   renderer::Guidance guidance = renderer::Guidance::automatic;
+  bool share = true;
   std::vector<double> seconds{}, rel_mse{}, product{};
 };
 
@@ -68,6 +69,7 @@ std::vector<Variant> variants(const Arguments& a) {
       {.name = "independent points", .kernel = kernel, .sampler = carlo::SamplerKind::independent});
   if (kernel == "scalar") return result;
   result.push_back({.name = "not guided", .kernel = kernel, .guidance = renderer::Guidance::none});
+  result.push_back({.name = "not shared", .kernel = kernel, .share = false});
   result.push_back(
       {.name = "no light paths", .kernel = kernel, .technique = renderer::Technique::path});
   result.push_back(
@@ -88,6 +90,7 @@ void render_once(carlo::Scene scene, const carlo::Image& reference, const Argume
               .kernel = scalar ? renderer::Kernel::scalar : renderer::Kernel::best,
               .technique = variant.technique,
               .guidance = variant.guidance,
+              .share = variant.share,
               .choices = variant.choices});
   const carlo::RenderResult result =
       carlo::render(*integrator, scene.width, scene.height,
