@@ -12,7 +12,7 @@
 
 namespace renderer {
 
-class LaneScene;
+struct LaneScene;
 
 /// The square around a disk.
 inline carlo::Parallelogram square_around(const carlo::Disk& disk) {
