@@ -111,7 +111,7 @@ class Job {
   void settle() {
     result_.seconds = earlier_seconds_ + clock_.seconds();
     result_.counts.splat_covariance =
-        result_.splat_covariance.value() / static_cast<double>(tiles());
+        result_.covariance.splats.value() / static_cast<double>(tiles());
   }
 
   /// Passes the current result to the checkpoint callback if it is due.
@@ -176,8 +176,9 @@ class Job {
   void finish_tile(std::uint32_t blocks, const Counts& counts, double splat_covariance) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    result_.splat_covariance.add(splat_covariance);  // 0 for several blocks
-    result_.splat_covariance.add(counts.shared_covariance);
+    result_.covariance.splats.add(splat_covariance);  // 0 for several blocks
+    for (std::size_t c = 0; c < 3; ++c)
+      result_.covariance.shared[c].add(counts.shared_covariance[c]);
     blocks_done_ += blocks;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds

@@ -5,6 +5,8 @@
 #include "render/blocks.h"
 #include "render/integrator.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,6 +14,20 @@
 namespace carlo {
 
 struct RenderResult;
+
+/// The covariances of an image's pixels. Exact sums over all blocks of all tiles (blocks.h), so
+/// that they do not depend on how the blocks were shared out.
+struct PixelCovariance {
+  ExactSum splats;                 ///< Counts::splat_covariance of the block's pass
+  std::array<ExactSum, 3> shared;  ///< Counts::shared_covariance
+
+  void add(const PixelCovariance& other) {
+    splats.add(other.splats);
+    for (std::size_t c = 0; c < 3; ++c)
+      shared[c].add(other.shared[c]);
+  }
+  friend bool operator==(const PixelCovariance&, const PixelCovariance&) = default;
+};
 
 struct RenderOptions {
   std::uint32_t spp = 64;              ///< samples per pixel, unless `seconds` is set
@@ -31,15 +47,12 @@ struct RenderOptions {
 struct RenderResult {
   Film film;
   Counts counts{};
-  /// The sum over all blocks of all tiles (blocks.h) of the Counts::splat_covariance of the block's
-  /// pass, and their Counts::shared_covariance; exact, so that it does not depend on how the blocks
-  /// were shared out.
-  ExactSum splat_covariance{};
+  PixelCovariance covariance{};
   double seconds = 0;
   int threads = 1;
   bool interrupted = false;  ///< by Ctrl-C; the film holds the finished blocks
   /// The covariances of the pixels caused by light paths, summed over all pairs; nothing if
-  /// they follow from splat_covariance.
+  /// they follow from `covariance`.
   std::optional<double> light_path_covariance = {};
 };
 

@@ -51,9 +51,9 @@ struct Counts {
   /// summed over all these paths and divided by the squared share that was traced; in squared
   /// luminances of the image's mean.
   double splat_covariance = 0;
-  /// The covariances of pixels that share paths (Tile::share), in squared luminances of a block's
-  /// sums: for each block of the tile, summed over the tile's pixels, times the number of tiles.
-  ExactSum shared_covariance{};
+  /// The covariances of pixels that share paths (Tile::share), of each channel of a block's sums:
+  /// for each block of the tile, summed over the tile's pixels, times the number of tiles.
+  std::array<ExactSum, 3> shared_covariance{};
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
@@ -62,7 +62,8 @@ struct Counts {
     cut += other.cut;
     bad += other.bad;
     splat_covariance += other.splat_covariance;
-    shared_covariance.add(other.shared_covariance);
+    for (std::size_t c = 0; c < 3; ++c)
+      shared_covariance[c].add(other.shared_covariance[c]);
     return *this;
   }
 };

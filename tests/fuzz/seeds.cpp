@@ -74,7 +74,7 @@ std::vector<std::string> part_seeds() {
       R"("grid":{"width":1,"height":1,"block":1,"passes":8},"light_paths":false,)"
       R"("shard":{"index":1,"count":2},"parts":"1","blocks":"0-2 3-4","counts":{"paths":"4",)"
       R"("rays":"9","light_paths":"0","cut_paths":"0","bad_samples":"0"},)"
-      R"("light_path_ties":"0 0 0 0 0 0 0","microseconds":"5","threads":1})"
+      R"("pixel_ties":"0 0 0 0 0 0 0, 0 0 0 0 0 0 0, 0 0 0 0 0 0 0, 0 0 0 0 0 0 0","microseconds":"5","threads":1})"
       "\n" +
       tile};
 }

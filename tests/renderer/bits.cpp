@@ -67,7 +67,10 @@ std::string digest_of(const RenderResult& result) {
         add(digest, sums.sum[c]), add(digest, sums.squares[c]);
     }
   }
-  add(digest, result.splat_covariance);
+  add(digest, result.covariance.splats);
+  for (const ExactSum& sum : result.covariance.shared) {
+    if (!(sum == ExactSum{})) add(digest, sum);
+  }
   const Counts& counts = result.counts;
   digest.add(fmt::format("{} {} {} {} {}", counts.paths, counts.rays, counts.light_paths,
                          counts.cut, counts.bad));

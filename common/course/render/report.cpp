@@ -92,30 +92,32 @@ double shared_passes(const Film& film) {
   return sum.value() / (count * count);
 }
 
-/// The covariances of the image's pixels caused by light paths, summed over all pairs: each
-/// block of each tile contributes those of its pass; existing passes stand in for missing blocks.
-double covariance_of_light_paths(const RenderResult& result) {
-  const Film& film = result.film;
+/// What sums over the blocks of all tiles stand for: each block of a tile contributes the
+/// covariances of its pass, summed over all pairs of pixels; existing passes stand in for missing
+/// blocks. The factor makes them those of the image's mean.
+double covariance_factor(const Film& film) {
   const double pixels = 1.0 * film.width() * film.height();
-  if (result.light_path_covariance) return *result.light_path_covariance;
   double blocks = 0;
   for (int y = 0; y < film.height(); y += driver_tile_size) {
     for (int x = 0; x < film.width(); x += driver_tile_size)
       blocks += film.blocks(x, y);
   }
   const double of_a_pass = film.block() * pixels;
-  return result.splat_covariance.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
+  return blocks > 0 ? shared_passes(film) / (blocks * of_a_pass * of_a_pass) : 0;
 }
 
-/// The variance that light paths which reach several pixels add to the image's mean. Assumes
-/// that the channels are correlated as the luminance is; an upper bound with Sobol' points.
-std::array<double, 3> splat_variance(const RenderResult& result, const MeanRadiance& mean) {
-  const double all = luminance(mean.value);
-  if (!(all > 0) || result.counts.splat_covariance == 0) return {};
-  const double relative = covariance_of_light_paths(result) / (all * all);
+/// The variance that paths which reach several pixels add to the image's mean; an upper bound with
+/// Sobol' points. For light paths, assumes that the channels are correlated as the luminance is.
+std::array<double, 3> shared_variance(const RenderResult& result, const MeanRadiance& mean) {
+  const double all = luminance(mean.value), factor = covariance_factor(result.film);
+  const double splats = result.light_path_covariance ? *result.light_path_covariance
+                                                     : result.covariance.splats.value() * factor;
   std::array<double, 3> variance{};
-  for (std::size_t c = 0; c < 3; ++c)
-    variance[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
+  for (std::size_t c = 0; c < 3; ++c) {
+    variance[c] = std::fmax(result.covariance.shared[c].value() * factor, 0);
+    if (all > 0 && result.counts.splat_covariance != 0)
+      variance[c] += std::fmax(splats, 0) / (all * all) * mean.value[c] * mean.value[c];
+  }
   return variance;
 }
 
@@ -123,7 +125,7 @@ std::array<double, 3> splat_variance(const RenderResult& result, const MeanRadia
 
 MeanRadiance mean_of(const RenderResult& result) {
   MeanRadiance mean = mean_radiance(result.film);
-  const std::array<double, 3> more = splat_variance(result, mean);
+  const std::array<double, 3> more = shared_variance(result, mean);
   for (std::size_t c = 0; c < 3; ++c)
     mean.standard_error[c] = std::hypot(mean.standard_error[c], std::sqrt(more[c]));
   return mean;
@@ -197,7 +199,7 @@ ReferenceReport compare_with_reference(const RenderResult& result, const std::st
   const Image exact(image.width, image.height);
   report.bias_z = bias_z(image, result.film.standard_error(), reference.image,
                          reference.standard_error ? *reference.standard_error : exact,
-                         splat_variance(result, mean_radiance(result.film)));
+                         shared_variance(result, mean_radiance(result.film)));
   report.efficiency = 1 / (report.error.mse * result.seconds);
   report.notes = reference.notes;
   if (!reference.standard_error) {

@@ -312,19 +312,18 @@ class SharedPaths {
       const float* const four = samples.data() + std::size_t{12} * i;
       for (std::size_t c = 0; c < sums_.size(); ++c)
         sums_[c] += static_cast<double>(four[c]);
-      products_ += products_of([&](std::size_t c) { return static_cast<double>(four[c]); });
+      for (std::size_t c = 0; c < 3; ++c)
+        products_[c] += products_of([&](std::size_t i) { return static_cast<double>(four[i]); }, c);
       if (++samples_in_block_ == job_.tile.samples) complete(row.group);
     }
   }
 
-  /// The sum of the products of every two of a group's luminances, in both orders.
+  /// The sum of the products of every two of a group's values of a channel, in both orders.
   template <class F>
-  static double products_of(const F& value) {
+  static double products_of(const F& value, std::size_t channel) {
     double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < 12; i += 3) {
-      const double Y = carlo::luminance(std::array{value(i), value(i + 1), value(i + 2)});
-      sum += Y, squares += Y * Y;
-    }
+    for (std::size_t i = channel; i < 12; i += 3)
+      sum += value(i), squares += value(i) * value(i);
     return sum * sum - squares;
   }
 
@@ -341,13 +340,15 @@ class SharedPaths {
             sums_[3 * static_cast<std::size_t>(q) + c] / n;
     }
     // Of independent samples, so an upper bound with Sobol' points; one alone has no spread.
-    const double of_means = products_of([&](std::size_t c) { return sums_[c] / n; });
-    covariances_[block_] += n > 1 ? (products_ - n * of_means) * (n / (n - 1)) : products_;
-    if (group == groups_ - 1) {
-      const carlo::BlockGrid grid{job_.width, job_.height};
-      counts_.shared_covariance.add(covariances_[block_] * static_cast<double>(grid.tiles()));
+    const carlo::BlockGrid grid{job_.width, job_.height};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double of_means = products_of([&](std::size_t i) { return sums_[i] / n; }, c);
+      double& sum = covariances_[block_][c];
+      sum += n > 1 ? (products_[c] - n * of_means) * (n / (n - 1)) : products_[c];
+      if (group == groups_ - 1)
+        counts_.shared_covariance[c].add(sum * static_cast<double>(grid.tiles()));
     }
-    sums_ = {}, products_ = 0, samples_in_block_ = 0;
+    sums_ = {}, products_ = {}, samples_in_block_ = 0;
     if (++block_ == job_.blocks) block_ = 0;
   }
 
@@ -383,8 +384,8 @@ class SharedPaths {
   Radiances rest_{most_shared};
   // What add() has reached.
   std::array<double, 12> sums_{};
-  double products_ = 0;
-  std::vector<double> covariances_ = std::vector<double>(job_.blocks);
+  std::array<double, 3> products_{};
+  std::vector<std::array<double, 3>> covariances_ = std::vector<std::array<double, 3>>(job_.blocks);
   std::uint32_t samples_in_block_ = 0, block_ = 0;
 };
 

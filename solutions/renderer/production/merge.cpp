@@ -53,7 +53,7 @@ void Merge::take_in(const PartHeader& part) {
   header_.light_paths = header_.light_paths || part.light_paths;
   header_.parts += part.parts;
   header_.counts += part.counts;
-  header_.splat_covariance.add(part.splat_covariance);
+  header_.covariance.add(part.covariance);
   header_.microseconds += part.microseconds;
   header_.threads = std::max(header_.threads, part.threads);
 }
@@ -130,11 +130,11 @@ std::string Merge::missing() const {
 RenderResult Merge::run(const std::function<void(double)>& progress) const {
   RenderResult result{.film = Film(header_.grid.width, header_.grid.height, header_.grid.block),
                       .counts = header_.counts,
-                      .splat_covariance = header_.splat_covariance,
+                      .covariance = header_.covariance,
                       .seconds = 1e-6 * static_cast<double>(header_.microseconds),
                       .threads = header_.threads};
   result.counts.splat_covariance =
-      header_.splat_covariance.value() / static_cast<double>(header_.grid.tiles());
+      header_.covariance.splats.value() / static_cast<double>(header_.grid.tiles());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartFile file(parts_[i].path);
     if (difference_of(file.header(), header_) || file.header().blocks != parts_[i].blocks) {

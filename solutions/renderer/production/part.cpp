@@ -160,9 +160,9 @@ static void fields(JsonFields& json, PartHeader& part) {
       [](const std::string& text) { return BlockSet::from_text(text); });
   json("counts", part.counts);
   as_words(
-      json, "light_path_ties", part.splat_covariance,
-      [](const ExactSum& sum) { return to_text(sum); },
-      [](const std::string& text) { return exact_sum_of(text); });
+      json, "pixel_ties", part.covariance,
+      [](const PixelCovariance& covariance) { return to_text(covariance); },
+      [](const std::string& text) { return pixel_covariance_of(text); });
   json.as_text("microseconds", part.microseconds);
   json("threads", part.threads);
 }

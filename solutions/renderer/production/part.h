@@ -28,10 +28,10 @@ struct PartHeader {
   /// The share I/N; empty for parts that were merged from different N. `index` is 0 if several
   /// shares of the same N were merged.
   std::optional<Shard> shard;
-  std::uint64_t parts = 1;    ///< number of parts that were merged into it
-  BlockSet blocks;            ///< the blocks that it holds
-  Counts counts;              ///< except for splat_covariance
-  ExactSum splat_covariance;  ///< as in RenderResult
+  std::uint64_t parts = 1;     ///< number of parts that were merged into it
+  BlockSet blocks;             ///< the blocks that it holds
+  Counts counts;               ///< except for splat_covariance
+  PixelCovariance covariance;  ///< as in RenderResult
   /// Time spent; whole numbers, so that the sum does not depend on the order.
   std::uint64_t microseconds = 0;
   int threads = 1;  ///< the largest number used

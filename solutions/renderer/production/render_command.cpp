@@ -64,9 +64,8 @@ void fill_from(ProductionArguments& a, const EarlierRender& earlier) {
 /// Returns the state to continue from, up to `spp` samples per pixel if given. Throws Error if the
 /// render cannot be continued to that number.
 RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp) {
-  RenderResult result{.film = earlier.film(),
-                      .counts = earlier.counts(),
-                      .splat_covariance = earlier.splat_covariance()};
+  RenderResult result{
+      .film = earlier.film(), .counts = earlier.counts(), .covariance = earlier.covariance()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
   const auto pixels =

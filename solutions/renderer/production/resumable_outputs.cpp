@@ -63,7 +63,7 @@ std::string ResumableOutputs::names(const AdaptiveResult& /*result*/) const {
 ExrFile ResumableOutputs::exr(const RenderResult& result, const RenderReport& report,
                               bool sums) const {
   ExrFile file = exr_of(result, report);
-  if (sums) add_sums(file, settings_, result.film, result.counts, result.splat_covariance);
+  if (sums) add_sums(file, settings_, result.film, result.counts, result.covariance);
   return file;
 }
 

@@ -107,10 +107,9 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 }
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& splat_covariance) {
+              const PixelCovariance& covariance) {
   add_attributes(file, settings, counts);
-  if (!(splat_covariance == ExactSum{}))
-    file.attributes["light_path_tie_sum"] = to_text(splat_covariance);
+  if (!(covariance == PixelCovariance{})) file.attributes["pixel_tie_sums"] = to_text(covariance);
   file.attributes["block"] = std::to_string(film.block());
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
@@ -258,11 +257,11 @@ Counts EarlierRender::counts() const {
           .splat_covariance = real("light_path_ties")};
 }
 
-ExactSum EarlierRender::splat_covariance() const {
-  const auto it = file_.attributes.find("light_path_tie_sum");
+PixelCovariance EarlierRender::covariance() const {
+  const auto it = file_.attributes.find("pixel_tie_sums");
   if (it != file_.attributes.end()) {
-    if (const auto sum = exact_sum_of(it->second)) return *sum;
-    throw Error("cannot resume {}: its light_path_tie_sum is '{}', expected the words of a sum",
+    if (const auto sums = pixel_covariance_of(it->second)) return *sums;
+    throw Error("cannot resume {}: its pixel_tie_sums are '{}', expected the words of four sums",
                 path_.string(), it->second);
   }
   return {};

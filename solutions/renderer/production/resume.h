@@ -2,7 +2,7 @@
 
 #include "image/exr.h"
 #include "image/film.h"
-#include "numeric/exact_sum.h"
+#include "render/driver.h"
 #include "render/integrator.h"
 #include "renderer/production/adaptive_state.h"
 #include "scene/scene.h"
@@ -25,9 +25,9 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 
 /// Adds to an image what continuing it needs: the settings and counts as attributes, and the film's
 /// sums, which are whole numbers of 128 bits, in channels of 32 bits, so that no bit is lost.
-/// `splat_covariance` as in RenderResult.
+/// `covariance` as in RenderResult.
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& splat_covariance = {});
+              const PixelCovariance& covariance = {});
 
 /// The same for an adaptive render.
 void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
@@ -59,7 +59,7 @@ class EarlierRender {
   AdaptiveState adaptive_state() const;
   Counts counts() const;
   /// As in RenderResult, for a render without a target error.
-  ExactSum splat_covariance() const;
+  PixelCovariance covariance() const;
   /// Returns the seconds given in the report beside the image; 0 if there is none of this render.
   double seconds(const Film& film) const;
 

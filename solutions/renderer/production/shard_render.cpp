@@ -50,7 +50,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
 PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& share) {
   part.blocks = blocks_done(result.film, share);
   part.counts = result.counts;
-  part.splat_covariance = result.splat_covariance;
+  part.covariance = result.covariance;
   part.microseconds = static_cast<std::uint64_t>(std::llround(1e6 * result.seconds));
   part.threads = result.threads;
   return part;
@@ -70,7 +70,7 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   }
   RenderResult result{.film = Film(now.grid.width, now.grid.height, now.grid.block),
                       .counts = then.counts,
-                      .splat_covariance = then.splat_covariance,
+                      .covariance = then.covariance,
                       .seconds = 1e-6 * static_cast<double>(then.microseconds)};
   file.add_to(result.film);
   if (blocks_done(result.film, share) != then.blocks) {

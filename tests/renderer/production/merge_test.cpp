@@ -45,7 +45,7 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
       const PartFile file(path);
       RenderResult start{.film = Film(noise.width, noise.height, noise_grid(spp).block),
                          .counts = file.header().counts,
-                         .splat_covariance = file.header().splat_covariance};
+                         .covariance = file.header().covariance};
       file.add_to(start.film);
       CHECK(same_sums(start.film, result.film));
       CHECK(file.header().blocks.count() < share.count());
@@ -90,7 +90,7 @@ TEST_CASE(
         REQUIRE(merge.complete());
         const RenderResult merged = merge.run();
         CHECK(same_sums(merged.film, whole.film));
-        CHECK(merged.splat_covariance == whole.splat_covariance);
+        CHECK(merged.covariance == whole.covariance);
         CHECK(merged.counts.paths == whole.counts.paths);
         CHECK(merged.counts.light_paths == whole.counts.light_paths);
         CHECK(merged.counts.splat_covariance == whole.counts.splat_covariance);
@@ -218,7 +218,7 @@ TEST_CASE("An interrupted pass counts its light paths once") {
     noise.interrupt_at = -1;
     const RenderResult resumed = render_noise(noise, 64, 2, {}, &part);
     CHECK(resumed.counts.light_paths == whole.counts.light_paths);
-    CHECK(resumed.splat_covariance == whole.splat_covariance);
+    CHECK(resumed.covariance == whole.covariance);
     CHECK(same_sums(resumed.film, whole.film));
   }
 }

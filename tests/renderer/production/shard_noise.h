@@ -84,7 +84,7 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   part.blocks =
       carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
   part.counts = result.counts;
-  part.splat_covariance = result.splat_covariance;
+  part.covariance = result.covariance;
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;
