@@ -258,6 +258,8 @@ Counts EarlierRender::counts() const {
 }
 
 PixelCovariance EarlierRender::covariance() const {
+  if (file_.attributes.contains("light_path_tie_sum"))
+    throw Error("cannot resume {}: it is of an older program, render it again", path_.string());
   const auto it = file_.attributes.find("pixel_tie_sums");
   if (it != file_.attributes.end()) {
     if (const auto sums = pixel_covariance_of(it->second)) return *sums;
