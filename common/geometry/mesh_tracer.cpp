@@ -36,11 +36,18 @@ void copy(const MeshRays::Column<T>& from, T* to) {
   std::memcpy(to, from.data(), sizeof from);
 }
 
-void fill(RTCRay16& packet, const MeshRays& rays) {
+/// Rays that are not wanted get an empty segment: without AVX-512, Embree 3.13 traces every ray of
+/// a packet that has one, whatever `valid` says. Their numbers may be anything, and Debian's
+/// Embree, whose assertions are on, ends the program at one that is not finite.
+void fill(RTCRay16& packet, const MeshRays& rays, std::uint32_t wanted) {
   copy(rays.ox, packet.org_x), copy(rays.oy, packet.org_y), copy(rays.oz, packet.org_z);
   copy(rays.dx, packet.dir_x), copy(rays.dy, packet.dir_y), copy(rays.dz, packet.dir_z);
-  copy(rays.t, packet.tfar);
-  std::fill_n(packet.tnear, MeshRays::most, std::numeric_limits<float>::min());
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < MeshRays::most; ++i) {
+    const bool is_wanted = (wanted >> i & 1) != 0;
+    packet.tnear[i] = is_wanted ? std::numeric_limits<float>::min() : infinity;
+    packet.tfar[i] = is_wanted ? rays.t[i] : -infinity;
+  }
   std::fill_n(packet.time, MeshRays::most, 0.0f);
   std::fill_n(packet.mask, MeshRays::most, ~0u);
   std::fill_n(packet.flags, MeshRays::most, 0u);
@@ -161,9 +168,9 @@ struct MeshTracer::Impl {
   Impl& operator=(const Impl&) = delete;
 };
 
-MeshTracer::MeshTracer(std::vector<const Mesh*> meshes)
+MeshTracer::MeshTracer(std::vector<const Mesh*> meshes, const char* embree)
     : meshes_(std::move(meshes)), impl_(std::make_unique<Impl>()) {
-  impl_->device = rtcNewDevice(nullptr);
+  impl_->device = rtcNewDevice(embree);
   if (impl_->device == nullptr) throw Error("Embree did not start");
   impl_->scene = rtcNewScene(impl_->device);
   rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
@@ -183,7 +190,7 @@ MeshTracer::~MeshTracer() = default;
 // Triangles are rarely in the cache, so they are read ahead in steps: no read waits for another.
 std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const {
   alignas(64) RTCRayHit16 queries;
-  fill(queries.ray, rays);
+  fill(queries.ray, rays, wanted);
   std::fill_n(queries.hit.geomID, MeshRays::most, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(queries.hit.instID[0], MeshRays::most, RTC_INVALID_GEOMETRY_ID);
   intersect_packet(Valid(wanted).data(), impl_->scene, &queries);
@@ -215,7 +222,7 @@ std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const 
 
 std::uint32_t MeshTracer::occluded(const MeshRays& rays, std::uint32_t wanted) const {
   alignas(64) RTCRay16 queries;
-  fill(queries, rays);
+  fill(queries, rays, wanted);
   occlude_packet(Valid(wanted).data(), impl_->scene, &queries);
   std::uint32_t blocked = 0;
   for (std::size_t i = 0; i < MeshRays::most; ++i)

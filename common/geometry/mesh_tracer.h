@@ -50,8 +50,9 @@ struct MeshRays {
 /// Queries may come from any thread.
 class MeshTracer {
  public:
-  /// Keeps pointers to the meshes, which must outlive it. Throws Error if Embree fails.
-  explicit MeshTracer(std::vector<const Mesh*> meshes);
+  /// Keeps pointers to the meshes, which must outlive it. `embree`: settings as for
+  /// rtcNewDevice(). Throws Error if Embree fails.
+  explicit MeshTracer(std::vector<const Mesh*> meshes, const char* embree = nullptr);
   ~MeshTracer();
   MeshTracer(const MeshTracer&) = delete;
   MeshTracer& operator=(const MeshTracer&) = delete;

@@ -92,7 +92,8 @@ inline HWY_NOINLINE void occlude_by_meshes(const LaneScene& s, const V3& o, cons
   const V3 offset = to - o;
   const V distance = hn::Sqrt(dot(offset, offset));
   store(o, hn::Div(set(1), distance) * offset, hn::Mul(distance, share), rays);
-  clear = hn::AndNot(mask_of(s.meshes->occluded(rays, bits(clear))), clear);
+  const M apart = hn::And(clear, hn::Gt(distance, set(0)));
+  clear = hn::AndNot(mask_of(s.meshes->occluded(rays, bits(apart))), clear);
 }
 
 }  // namespace HWY_NAMESPACE
