@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t{1} << 25;
 
-void add(PixelSums& pixel, const std::array<double, 3>& mean) {
+void add(PixelSums& pixel, std::span<const std::array<double, 3>> means) {
   for (std::size_t c = 0; c < 3; ++c) {
-    pixel.sum[c].add(mean[c]);
-    pixel.squares[c].add(mean[c] * mean[c]);
+    pixel.sum[c].add(means.size(), [&](std::size_t i) { return means[i][c]; });
+    pixel.squares[c].add(means.size(), [&](std::size_t i) { return means[i][c] * means[i][c]; });
   }
-  pixel.blocks += 1;
+  pixel.blocks += static_cast<std::uint32_t>(means.size());
 }
 
 }  // namespace
@@ -30,9 +30,13 @@ Film::Film(int width, int height, std::uint32_t block)
 }
 
 void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
+  add_blocks(x, y, std::span(&mean, 1));
+}
+
+void Film::add_blocks(int x, int y, std::span<const std::array<double, 3>> means) {
   PixelSums& pixel = pixels_[index(x, y)];
-  add(pixel, mean);
-  pixel.samples += block_;
+  add(pixel, means);
+  pixel.samples += means.size() * block_;
 }
 
 void Film::set_estimate(int x, int y, const std::array<double, 3>& mean,
@@ -43,7 +47,7 @@ void Film::set_estimate(int x, int y, const std::array<double, 3>& mean,
     std::array<double, 3> block;
     for (std::size_t c = 0; c < 3; ++c)
       block[c] = mean[c] + side * standard_error[c];
-    add(pixel, block);
+    add(pixel, std::span(&block, 1));
   }
   pixel.samples = samples;
 }

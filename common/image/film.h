@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace carlo {
@@ -38,6 +39,7 @@ class Film {
   /// Adds one block, given as the mean of block() samples of a pixel; finite. Two threads may add
   /// to different pixels at once.
   void add_block(int x, int y, const std::array<double, 3>& mean);
+  void add_blocks(int x, int y, std::span<const std::array<double, 3>> means);
 
   /// Stores an estimate made elsewhere, for a pixel without blocks: two blocks, one standard error
   /// to either side of the mean, have that mean and that standard error. Both finite.

@@ -20,20 +20,33 @@ class ExactSum {
  public:
   /// Adds a finite x.
   void add(double x) {
-    if (x == 0) return;
-    const auto word = std::bit_cast<std::uint64_t>(std::abs(x));
-    const auto field = static_cast<int>(word >> 52);
-    constexpr std::uint64_t leading = std::uint64_t{1} << 52;
-    // |x| = mantissa 2^exponent, also for subnormal numbers.
-    const std::uint64_t mantissa = (word & (leading - 1)) | (field > 0 ? leading : 0);
-    const int exponent = std::max(field, 1) - 1075;
-    const int place = place_of(exponent), shift = exponent - bits * place;
-    const std::uint64_t low = mantissa << shift, high = mantissa >> 1 >> (63 - shift);
-    raise(place_of(exponent + 52) - (places - 1));
-    const std::uint64_t sign = x < 0 ? ~std::uint64_t{0} : 0;
-    add_at(place, low & 0xFFFFFFFF, sign);
-    add_at(place + 1, low >> bits, sign);
-    add_at(place + 2, high, sign);
+    add(1, [x](std::size_t) { return x; });
+  }
+
+  /// Adds x(0), x(1), ... x(n - 1), all finite; faster than one by one.
+  template <class X>
+  void add(std::size_t n, const X& x) {
+    double most = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      most = std::max(most, std::abs(x(i)));
+    if (most == 0) return;
+    raise(place_of(parts_of(most).exponent + 52) - (places - 1));
+    std::array<std::uint64_t, places> digits = digits_;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = x(i);
+      const Parts parts = parts_of(value);
+      // Relative to the lowest place; bits below it are cut off, there are none above the highest.
+      const int shift = parts.exponent - bits * lowest_;
+      const bool up = shift >= 0;
+      const std::uint64_t low =
+          up ? parts.mantissa << shift : parts.mantissa >> std::min(-shift, 63);
+      const std::uint64_t high = up ? parts.mantissa >> 1 >> (63 - shift) : 0;
+      const std::uint64_t sign = value < 0 ? ~std::uint64_t{0} : 0;
+      digits[0] += ((low & 0xFFFFFFFF) ^ sign) - sign;
+      digits[1] += (low >> bits ^ sign) - sign;
+      digits[2] += (high ^ sign) - sign;
+    }
+    digits_ = digits;
   }
 
   void add(const ExactSum& other) {
@@ -85,11 +98,16 @@ class ExactSum {
   /// Returns the place of the bit with this value, a power of two: the next multiple below.
   static constexpr int place_of(int exponent) { return exponent >> 5; }
 
-  /// Adds a digit, or its negative if `sign` is all ones. Places below the lowest are cut off;
-  /// there are none above the highest, for which raise() has made room.
-  void add_at(int place, std::uint64_t digit, std::uint64_t sign) {
-    const auto index = static_cast<std::size_t>(place - lowest_);
-    if (index < digits_.size()) digits_[index] += (digit ^ sign) - sign;
+  /// |x| = mantissa 2^exponent, also for subnormal numbers.
+  struct Parts {
+    std::uint64_t mantissa;
+    int exponent;
+  };
+  static Parts parts_of(double x) {
+    const auto word = std::bit_cast<std::uint64_t>(std::abs(x));
+    const auto field = static_cast<int>(word >> 52);
+    constexpr std::uint64_t leading = std::uint64_t{1} << 52;
+    return {(word & (leading - 1)) | (field > 0 ? leading : 0), std::max(field, 1) - 1075};
   }
 
   /// Raises the places until the lowest is at least `lowest`.

@@ -153,7 +153,7 @@ class Job {
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x, ++i)
-        add_blocks(x, y, means.subspan(i), pixels, light_pass);
+        add_blocks(x, y, means.subspan(i * blocks, blocks), light_pass);
     }
     // A pass that is rendered in several runs traces its light paths in each; they are counted
     // once, with tile 0.
@@ -161,16 +161,14 @@ class Job {
     finish_tile(blocks, counts, light_pass.counts().splat_covariance);
   }
 
-  /// Adds the blocks of a pixel, every `step`-th of `means`.
-  void add_blocks(int x, int y, std::span<std::array<double, 3>> means, std::size_t step,
+  void add_blocks(int x, int y, std::span<std::array<double, 3>> means,
                   const LightPass& light_pass) {
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
         static_cast<std::size_t>(x);
-    for (std::size_t i = 0; i < means.size(); i += step) {
-      light_pass.add_to(means[i], pixel);
-      film_.add_block(x, y, means[i]);
-    }
+    for (std::array<double, 3>& mean : means)
+      light_pass.add_to(mean, pixel);
+    film_.add_blocks(x, y, means);
   }
 
   void finish_tile(std::uint32_t blocks, const Counts& counts, double splat_covariance) {

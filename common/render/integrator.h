@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace carlo {
 
@@ -129,14 +130,18 @@ class Integrator {
   virtual void render(const Tile& tile, std::span<std::array<double, 3>> means,
                       Counts& counts) const = 0;
 
-  /// The same for this many blocks of samples, one after another from `tile` on: the means of the
-  /// first, then those of the next. Integrators may do it faster at once, with the same means.
+  /// The same for this many blocks of samples, one after another from `tile` on: the means of all
+  /// blocks of the first pixel, then those of the next. Integrators may do it faster at once, with
+  /// the same means.
   virtual void render_blocks(const Tile& tile, std::uint32_t blocks,
                              std::span<std::array<double, 3>> means, Counts& counts) const {
-    const std::size_t pixels = means.size() / blocks;
+    std::vector<std::array<double, 3>> of_block(means.size() / blocks);
     Tile block = tile;
-    for (std::uint32_t b = 0; b < blocks; ++b, block.first_sample += tile.samples)
-      render(block, means.subspan(b * pixels, pixels), counts);
+    for (std::uint32_t b = 0; b < blocks; ++b, block.first_sample += tile.samples) {
+      render(block, of_block, counts);
+      for (std::size_t i = 0; i < of_block.size(); ++i)
+        means[i * blocks + b] = of_block[i];
+    }
   }
 };
 

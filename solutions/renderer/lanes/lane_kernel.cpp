@@ -72,7 +72,7 @@ HWY_ATTR void run_shared(const LaneJob& job, std::span<std::array<double, 3>> me
 
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
-  if (job.max_depth == 1 && job.scene.straight()) return run_straight(job, means, counts);
+  if (job.max_depth == 1 && job.scene.straight()) return StraightPaths(job, means, counts).run();
   if (job.shares()) {
     if (job.scene.full()) return run_shared<true, true>(job, means, counts);
     if (job.scene.close()) return run_shared<true, false>(job, means, counts);

@@ -79,9 +79,9 @@ struct LightPathJob {
 void trace_light_paths(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts);
 
 /// Renders a tile with the widest instruction set of this machine: the mean of the samples of each
-/// pixel, row by row, block by block. One lane carries one path; lanes whose paths have ended take
-/// the next samples, so that shading also runs on full vectors. The same job gives the same bits on
-/// every instruction set.
+/// pixel's blocks, pixel by pixel, row by row. One lane carries one path; lanes whose paths have
+/// ended take the next samples, so that shading also runs on full vectors. The same job gives the
+/// same bits on every instruction set.
 void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts);
 

@@ -260,8 +260,8 @@ class Decision {
       render_lanes(of_tile, means, counts);
       for (std::size_t i = 0; i < pixels; ++i) {
         std::array<std::array<double, 3>, blocks> of_blocks;
-        for (std::uint32_t b = 0; b < blocks; ++b)
-          of_blocks[b] = means[b * pixels + i];
+        std::copy_n(means.begin() + static_cast<std::ptrdiff_t>(blocks * i), blocks,
+                    of_blocks.begin());
         trial.mean.emplace_back(), trial.variance.emplace_back();
         add(of_blocks, trial, trial.mean.size() - 1);
       }

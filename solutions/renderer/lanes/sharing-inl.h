@@ -330,13 +330,12 @@ class SharedPaths {
   void complete(int group) {
     const double n = job_.tile.samples;
     const carlo::Tile& tile = job_.tile;
-    const std::size_t pixels = means_.size() / job_.blocks;
     for (int q = 0; q < 4; ++q) {
       const int x = group_x(group) + q % 2 * 2, y = group_y(group) + q / 2 * 2;
       if (x >= tile.x1 || y >= tile.y1) continue;
       const int pixel = (y - tile.y0) * (tile.x1 - tile.x0) + x - tile.x0;
       for (std::size_t c = 0; c < 3; ++c)
-        means_[block_ * pixels + static_cast<std::size_t>(pixel)][c] =
+        means_[static_cast<std::size_t>(pixel) * job_.blocks + block_][c] =
             sums_[3 * static_cast<std::size_t>(q) + c] / n;
     }
     // Of independent samples, so an upper bound with Sobol' points; one alone has no spread.

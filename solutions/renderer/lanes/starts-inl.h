@@ -57,8 +57,6 @@ struct CameraRays {
   U key;  ///< of their pixels
   U reversed_index;
   std::uint32_t count;
-  int x, y;            ///< pixel of the first ray
-  int last_x, last_y;  ///< and of the last
 };
 
 /// A queue of a tile's samples, pixel by pixel, that start as lanes become free. They are prepared
@@ -75,6 +73,12 @@ class Starts {
     pixel_key_ = key_of_pixel(job_, x_, y_);
   }
 
+  /// Goes on with the first sample of a pixel.
+  void go_to(int x, int y) {
+    x_ = x, y_ = y, sample_ = 0;
+    pixel_key_ = key_of_pixel(job_, x_, y_);
+  }
+
   /// Lets up to `most` more samples start, once all earlier ones have started; returns how many.
   std::uint32_t allow(std::uint32_t most) {
     allowed_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, left_));
@@ -88,7 +92,6 @@ class Starts {
     const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.samples();
     if (sample_ == samples) next_pixel();
-    const int first_x = x_, first_y = y_;
     const U lane = hn::Iota(du_, 0);
     V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
     U keys = set_word(pixel_key_), sample = hn::Add(lane, set_word(sample_));
@@ -108,7 +111,7 @@ class Starts {
     const V2 jitter = points(job_, reversed, mix(keys));
     const V3 d = camera_direction(job_, hn::Add(x, jitter.x), hn::Add(y, jitter.y));
     allowed_ -= made;
-    return {d, keys, reversed, made, first_x, first_y, x_, y_};
+    return {d, keys, reversed, made};
   }
 
   /// Starts queued samples in free lanes.
@@ -191,9 +194,10 @@ class Starts {
   }
 
   void next_pixel() {
-    sample_ = 0;
-    if (++x_ == job_.tile.x1) x_ = job_.tile.x0, ++y_;
-    pixel_key_ = key_of_pixel(job_, x_, y_);
+    if (x_ + 1 < job_.tile.x1)
+      go_to(x_ + 1, y_);
+    else
+      go_to(job_.tile.x0, y_ + 1);
   }
 
   template <class Queue, class Tag>

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -119,6 +120,31 @@ class Sums {
     }
   }
 
+  /// Adds samples that are `radiance` where `hit` has a bit, and 0 elsewhere; exact, as such sums
+  /// of floats are in double. They come alone in their blocks.
+  void add_hits(std::uint32_t hit, std::uint32_t count, carlo::Vec3 radiance) {
+    while (count > 0) {
+      const std::uint32_t here = std::min(count, samples_ - sample_);
+      hits_ += static_cast<std::uint32_t>(std::popcount(hit & (~std::uint32_t{0} >> (32 - here))));
+      hit = here < 32 ? hit >> here : 0;
+      count -= here;
+      sample_ += here;
+      if (sample_ < samples_) return;
+      std::array<double, 3>& mean = means_[block_];
+      for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = static_cast<double>(hits_) * static_cast<double>(radiance[c]) / samples_;
+      hits_ = sample_ = 0;
+      ++block_;
+    }
+  }
+
+  /// Adds all samples of the next pixels, each of them this radiance: exact.
+  void add_pixels(int count, carlo::Vec3 radiance) {
+    for (const std::size_t end = block_ + std::size_t{blocks_} * static_cast<unsigned>(count);
+         block_ < end; ++block_)
+      means_[block_] = {radiance.x, radiance.y, radiance.z};
+  }
+
  private:
   /// Four interleaved sums hide the latency of additions.
   using Four = std::array<double, 12>;
@@ -143,20 +169,19 @@ class Sums {
   }
 
   HWY_INLINE void complete(const Four& four) {
-    std::array<double, 3>& mean = means_[block_ * (means_.size() / blocks_) + pixel_];
+    std::array<double, 3>& mean = means_[block_];
     for (std::size_t c = 0; c < 3; ++c)
       mean[c] = ((four[c] + four[3 + c]) + (four[6 + c] + four[9 + c])) / samples_;
     sample_ = 0;
-    if (++block_ == blocks_) block_ = 0, ++pixel_;
+    ++block_;
   }
 
   Radiances radiances_;
   std::uint32_t samples_, blocks_;
   std::span<std::array<double, 3>> means_;
-  /// What add() has reached: a pixel, a block of it, the number of the block's samples so far, and
-  /// their sums.
-  std::size_t pixel_ = 0;
-  std::uint32_t block_ = 0, sample_ = 0;
+  /// What has been added: blocks, and samples of the next one, with their sums or hits.
+  std::size_t block_ = 0;
+  std::uint32_t sample_ = 0, hits_ = 0;
   Four four_{};
 };
 
