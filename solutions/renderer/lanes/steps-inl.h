@@ -106,7 +106,8 @@ class Steps {
       : job_(job),
         s_(job.scene),
         counts_(counts),
-        per_threshold_(1 / job.choices.roulette_threshold) {}
+        per_threshold_(1 /
+                       ((job.scene.meshes ? with_meshes : 1) * job.choices.roulette_threshold)) {}
 
  protected:
   /// Extends one register of paths, or `batch` of them if there are sdfs, to their next vertices;
@@ -349,6 +350,8 @@ class Steps {
   const LaneJob& job_;
   const LaneScene& s_;
   carlo::Counts& counts_;
+  /// Rays are so much dearer among triangles that paths had better end earlier (lanes/README.md).
+  static constexpr float with_meshes = 1.6f;
   float per_threshold_;
 };
 
