@@ -1,9 +1,12 @@
 // Paths of one segment, and blocks of samples rendered at once: the vector kernel has code of its
-// own for both, with the same bits as without.
+// own for both, with the same bits as without. And lights that pixels see directly, by rays of
+// their own.
 
+#include "lab_scenes.h"
 #include "lane_records.h"
 #include "lane_scenes.h"
 #include "random/rng.h"
+#include "renderer/lanes/lane_kernel.h"
 #include "renderer/path_integrator.h"
 #include "scene_tools.h"
 
@@ -112,6 +115,40 @@ std::vector<std::array<double, 3>> blocks_of(const Scene& scene, renderer::Kerne
   return means;
 }
 
+/// By one thread; lights that pixels see directly by other rays than paths or not.
+carlo::RenderResult render_alone(const Scene& scene, std::uint32_t spp, bool lights_apart,
+                                 std::uint64_t seed = 1) {
+  const auto integrator = renderer::make_path_integrator(
+      scene, {.seed = seed, .spp = spp, .choices = {.lights_apart = lights_apart}});
+  return render(*integrator, scene.width, scene.height,
+                {.spp = spp, .threads = 1, .progress = false});
+}
+
+/// Small black lights of radiance 1 anywhere around, behind a few of them a box.
+Scene small_lights(std::uint64_t seed, float scale, Vec3 center) {
+  Rng rng(seed);
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0)}, true}};
+  const auto anywhere = [&] {
+    return Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+  };
+  for (int i = 0; i < 12; ++i) {
+    const auto [u, v, n] = random_axes(rng);
+    const float size = scale * std::pow(10.0f, uniform(rng, -2.5f, -.6f));
+    scene.shapes.push_back(
+        {Parallelogram{center + scale * anywhere(), size * u, size * v}, 0, Rgb(1)});
+  }
+  add_box(scene, center - scale * Vec3(.2f), scale * Vec3(.1f, 0, 0), scale * Vec3(0, .1f, 0),
+          scale * Vec3(0, 0, .1f), 0);
+  const float distance = seed % 2 == 0 ? .3f : 3;
+  scene.camera =
+      look_at(center + scale * distance * glm::normalize(anywhere()), center, {.1f, .2f, 1}, 40);
+  scene.max_depth = 2;
+  scene.sampler = SamplerKind::sobol;
+  resize(scene, 37, 29);
+  return scene;
+}
+
 }  // namespace
 
 // Where everything is black, a second segment adds nothing, but takes the code for all paths.
@@ -133,7 +170,7 @@ TEST_CASE("Paths of one segment have the bits of longer ones in the dark") {
       const std::uint32_t spp = std::array{1u, 8u, 24u, 64u}[seed / 5 % 4];
       INFO("seed " << seed << ", spp " << spp << ", scale " << place.scale);
       const auto render = [&](int max_depth) {
-        return render_scene(random_lights(seed, place.scale, place.center, max_depth), spp, 1, 1);
+        return render_alone(random_lights(seed, place.scale, place.center, max_depth), spp, false);
       };
       const carlo::RenderResult straight = render(1);
       const Image image = straight.film.mean();
@@ -146,6 +183,66 @@ TEST_CASE("Paths of one segment have the bits of longer ones in the dark") {
   CHECK(lit > 20000);  // of 171680 for each instruction set
   INFO(rays << " rays for " << paths << " paths");
   CHECK(20 * rays < 19 * paths);  // the others are known without one
+}
+
+// In the dark, where there is nothing else to see. The cameras are amidst the lights or outside.
+TEST_CASE("Rays that look for lights miss none that paths see") {
+  struct Place {
+    float scale;
+    Vec3 center;
+  };
+  const std::vector<Place> places = {
+      {1, {0, 0, 0}}, {1e-4f, {0, 0, 0}}, {1e6f, {0, 0, 0}}, {1, {300, -500, 200}}};
+  constexpr std::uint32_t spp = 64;
+  int apart = 0, lit = 0;
+  double difference = 0, variance = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Place& place = places[seed / 2 % places.size()];
+    const Scene scene = small_lights(seed, place.scale, place.center);
+    const renderer::LaneScene lanes(scene);
+    if (renderer::seen_lights(lanes, scene.camera, scene.width, scene.height).empty()) continue;
+    ++apart;
+    INFO("seed " << seed);
+    const Image a = render_alone(scene, spp, true).film.mean(),
+                b = render_alone(scene, spp, false).film.mean();
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      const double by_rays = a.pixels[i].x, by_paths = b.pixels[i].x;
+      lit += by_paths > 0;
+      // One that was left out would have none; four samples in 64 have none of 256 once in 10^7.
+      CHECK((by_rays > 0 || by_paths < 4.0 / spp));
+      difference += by_rays - by_paths;
+      variance += by_paths * (1 - by_paths) / spp * 1.25;
+    }
+  }
+  CHECK(apart > 100);
+  CHECK(lit > 800);
+  INFO("difference " << difference << ", standard error " << std::sqrt(variance));
+  CHECK(std::abs(difference) < 4 * std::sqrt(variance));  // alpha < 1e-4; Sobol' points have less
+}
+
+TEST_CASE("Rays that look for lights reduce the noise at their edges") {
+  Scene scene = lab_scenes::load("many_lights");
+  resize(scene, 128, 128);
+  const auto relative_variance = [&](bool apart) {
+    constexpr std::size_t seeds = 4;
+    std::vector<double> sum(128 * 128), squares(128 * 128);
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Image image = render_alone(scene, 64, apart, seed).film.mean();
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        const double y = image.pixels[i].y;
+        sum[i] += y, squares[i] += y * y;
+      }
+    }
+    double all = 0;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const double mean = sum[i] / seeds;
+      all += (squares[i] / seeds - mean * mean) / (mean * mean + .01);
+    }
+    return all;
+  };
+  const double with = relative_variance(true), without = relative_variance(false);
+  INFO(with << " and " << without);
+  CHECK(with < .8 * without);
 }
 
 TEST_CASE("Blocks of samples are the same whether rendered at once or not") {

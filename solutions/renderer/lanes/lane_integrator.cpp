@@ -23,6 +23,8 @@ class LaneIntegrator final : public carlo::Integrator {
                  const LaneTrials& trials)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
     choices_.light_paths *= light_paths_per_path(lanes_);
+    if (choices_.lights_apart && scene.max_depth != 1)
+      lights_apart_ = seen_lights(lanes_, scene.camera, scene.width, scene.height);
     if (!trials.any()) return;
     const auto start = std::chrono::steady_clock::now();
     guide_ = decide(scene, lanes_, seed, trials, choices_);
@@ -97,7 +99,9 @@ class LaneIntegrator final : public carlo::Integrator {
             tile,
             choices,
             1,
-            guide_ ? &*guide_ : nullptr};
+            guide_ ? &*guide_ : nullptr,
+            nullptr,
+            lights_apart_};
   }
 
   /// Throws Error if pixels would share with others that are not in the tile.
@@ -123,6 +127,7 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneScene lanes_;
   std::uint64_t seed_;
   LaneChoices choices_;
+  std::vector<FilmRectangle> lights_apart_;
   std::optional<Guide> guide_;
   double seconds_spent_ = 0;
 };

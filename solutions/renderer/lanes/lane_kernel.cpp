@@ -73,12 +73,16 @@ HWY_ATTR void run_shared(const LaneJob& job, std::span<std::array<double, 3>> me
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
   if (job.max_depth == 1 && job.scene.straight()) return StraightPaths(job, means, counts).run();
-  if (job.shares()) {
-    if (job.scene.full()) return run_shared<true, true>(job, means, counts);
-    if (job.scene.close()) return run_shared<true, false>(job, means, counts);
-    return run_shared<false, false>(job, means, counts);
+  if (!job.shares()) {
+    with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
+  } else if (job.scene.full()) {
+    run_shared<true, true>(job, means, counts);
+  } else if (job.scene.close()) {
+    run_shared<true, false>(job, means, counts);
+  } else {
+    run_shared<false, false>(job, means, counts);
   }
-  with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
+  if (!job.lights_apart.empty()) SeenLights(job, means, counts).run();
 }
 
 HWY_ATTR void run_light_job(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts) {

@@ -20,8 +20,20 @@ struct LaneChoices {
   float roulette_threshold = 0.25f;  ///< roulette ends paths below this throughput
   bool power_heuristic = true;       ///< otherwise the balance heuristic
   float light_paths = 0;             ///< number of light paths for each path from the camera
-  bool share = false;  ///< pixels share what paths find (sharing-inl.h): see LaneJob::shares
+  bool share = false;        ///< pixels share what paths find (sharing-inl.h): see LaneJob::shares
+  bool lights_apart = true;  ///< other rays than paths look for lights that pixels see directly
 };
+
+/// The pixels of a film from (x0, y0) to before (x1, y1).
+struct FilmRectangle {
+  int x0, y0, x1, y1;
+};
+
+/// Where pixels may see a light directly: a rectangle for each, if all are parallelograms, together
+/// at most a sixteenth of the film (at the edges of larger ones there is less of the noise). None
+/// if paths had better find that light themselves.
+std::vector<FilmRectangle> seen_lights(const LaneScene& scene, const carlo::Camera& camera,
+                                       int width, int height);
 
 /// One call of the kernel: a tile of an image.
 struct LaneJob {
@@ -36,6 +48,9 @@ struct LaneJob {
   std::uint32_t blocks = 1;         ///< blocks of `tile.samples` samples, one after another
   const Guide* guide = nullptr;     ///< where camera paths find light, if that was learnt
   GuideLearner* learner = nullptr;  ///< learns it from this job, which then has no guide
+  /// If not empty, paths leave out the light that their first segments meet, and other rays look
+  /// for it in these pixels (straight-inl.h).
+  std::span<const FilmRectangle> lights_apart = {};
 
   /// The samples of a pixel.
   std::uint32_t samples() const { return tile.samples * blocks; }

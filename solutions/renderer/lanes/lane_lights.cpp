@@ -1,5 +1,6 @@
 #include "renderer/lanes/lane_lights.h"
 
+#include "renderer/lanes/lane_kernel.h"
 #include "renderer/light_tree.h"
 
 #include <algorithm>
@@ -145,6 +146,56 @@ void LaneLights::share_out_starts(const std::vector<Light>& lights) {
     start_upto[l] = as_float(sums[l]);
     start_probability[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);
   }
+}
+
+namespace {
+
+/// Holds all pixels of the film that may see light i, a parallelogram.
+FilmRectangle on_film(const LaneScene& s, std::uint32_t i, const carlo::Camera& camera, int columns,
+                      int rows) {
+  const Vec3d o(camera.origin), corner(s.lx[i], s.ly[i], s.lz[i]), u(s.lux[i], s.luy[i], s.luz[i]),
+      v(s.lvx[i], s.lvy[i], s.lvz[i]);
+  const double width = columns, height = rows;
+  Vec3d lower(width, height, 0), upper(0);
+  int behind = 0;
+  for (const Vec3d& p : {corner, corner + u, corner + v, corner + u + v}) {
+    const Vec3d d = p - o;
+    const double z = glm::dot(d, Vec3d(camera.forward));
+    if (!(z > 1e-3 * glm::length(d))) {
+      ++behind;
+      continue;
+    }
+    const double per_x = 0.5 * width / (z * static_cast<double>(camera.tan_half_x)),
+                 per_y = 0.5 * height / (z * static_cast<double>(camera.tan_half_y));
+    const Vec3d at(0.5 * width + per_x * glm::dot(d, Vec3d(camera.right)),
+                   0.5 * height - per_y * glm::dot(d, Vec3d(camera.up)), 0);
+    // Rays meet it by coordinates in float.
+    const double error = 1e-5 * (glm::length(p) + glm::length(o));
+    const Vec3d margin(0.01 + per_x * error, 0.01 + per_y * error, 0);
+    lower = glm::min(lower, at - margin), upper = glm::max(upper, at + margin);
+  }
+  if (behind == 4) return {0, 0, 0, 0};
+  if (behind > 0) return {0, 0, columns, rows};
+  lower = glm::clamp(lower, Vec3d(0), Vec3d(width, height, 0));
+  upper = glm::clamp(upper, Vec3d(0), Vec3d(width, height, 0));
+  return {static_cast<int>(lower.x), static_cast<int>(lower.y),
+          static_cast<int>(std::ceil(upper.x)), static_cast<int>(std::ceil(upper.y))};
+}
+
+}  // namespace
+
+std::vector<FilmRectangle> seen_lights(const LaneScene& scene, const carlo::Camera& camera,
+                                       int width, int height) {
+  if (!scene.flat_lights || !scene.straight()) return {};
+  std::vector<FilmRectangle> found;
+  double pixels = 0;
+  for (std::uint32_t i = 0; i < scene.first_point; ++i) {
+    const FilmRectangle at = on_film(scene, i, camera, width, height);
+    found.push_back(at);
+    pixels += static_cast<double>(at.x1 - at.x0) * (at.y1 - at.y0);
+  }
+  const double all = static_cast<double>(width) * height;
+  return pixels > 0 && 16 * pixels <= all ? found : std::vector<FilmRectangle>();
 }
 
 }  // namespace renderer

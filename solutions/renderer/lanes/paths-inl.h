@@ -195,6 +195,8 @@ class Walk : Steps<Needs> {
     const Numbers& at_surface = shading.at_surface;
     V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
+    if (!Needs::straight && !job_.lights_apart.empty())
+      bright = hn::AndNot(same(paths.depth, set_word(1)), bright);
     if (hn::AllFalse(d_, bright)) return;
     const V3 Le = at_surface(s_.le_r, s_.le_g, s_.le_b);
     if constexpr (Needs::straight) {  // nothing else finds this light

@@ -309,6 +309,58 @@ class StraightPaths {
   std::uint64_t left_ = 0;  ///< samples of the pixels at hand that have not started
 };
 
+/// Adds the light that a tile's pixels see directly, where paths leave it out (LaneJob): at the
+/// edges of bright lights most of the noise is theirs. Several rays for each path look for it, in
+/// pixels that may see a light.
+class SeenLights {
+ public:
+  HWY_ATTR SeenLights(const LaneJob& job, std::span<std::array<double, 3>> means,
+                      carlo::Counts& counts)
+      : job_(job), means_(means), counts_(counts) {}
+
+  HWY_ATTR void run() {
+    const carlo::Tile& tile = job_.tile;
+    const int columns = tile.x1 - tile.x0;
+    std::vector<char> seen(means_.size() / job_.blocks);
+    for (const FilmRectangle& at : job_.lights_apart) {
+      for (int y = std::max(at.y0, tile.y0); y < std::min(at.y1, tile.y1); ++y) {
+        for (int x = std::max(at.x0, tile.x0); x < std::min(at.x1, tile.x1); ++x)
+          seen[static_cast<std::size_t>((y - tile.y0) * columns + x - tile.x0)] = 1;
+      }
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const auto number = static_cast<int>(i);
+      if (seen[i] != 0)
+        add(tile.x0 + number % columns, tile.y0 + number / columns,
+            means_.subspan(i * job_.blocks, job_.blocks));
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t rays_for_path = 4;
+
+  /// With other points than the paths'.
+  HWY_NOINLINE void add(int x, int y, std::span<std::array<double, 3>> means) {
+    carlo::Tile pixel = job_.tile;
+    pixel.first_sample *= rays_for_path, pixel.samples *= rays_for_path;
+    pixel.x0 = x, pixel.x1 = x + 1, pixel.y0 = y, pixel.y1 = y + 1;
+    const LaneJob job{job_.scene, job_.camera, job_.width, job_.height,  1,
+                      ~job_.seed, job_.sobol,  pixel,      job_.choices, job_.blocks};
+    std::vector<std::array<double, 3>> found(job.blocks);
+    carlo::Counts counts;
+    StraightPaths(job, found, counts).run();
+    counts_.rays += counts.rays, counts_.bad += counts.bad;
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      for (std::size_t c = 0; c < 3; ++c)
+        means[b][c] += found[b][c];
+    }
+  }
+
+  const LaneJob& job_;
+  std::span<std::array<double, 3>> means_;
+  carlo::Counts& counts_;
+};
+
 }  // namespace HWY_NAMESPACE
 }  // namespace renderer
 HWY_AFTER_NAMESPACE();
