@@ -378,7 +378,7 @@ LaneScene::LaneScene(const carlo::Scene& scene)
   for (std::uint32_t i = first_disk; i-- > first_quad;)
     run_end[i] = i + 1 < first_disk && plane[i] == plane[i + 1] ? run_end[i + 1] : i + 1;
   bound_patches(scene, others, *this);
-  flat_lights = first_point > 0 && !sky;
+  flat_lights = first_point > 0 && !sky && around == Rgb(0);
   for (std::uint32_t i = 0; i < first_point; ++i)
     flat_lights = flat_lights && light_surface[i] >= first_quad && light_surface[i] < first_disk;
 }

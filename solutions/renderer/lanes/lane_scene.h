@@ -157,7 +157,8 @@ struct LaneScene {
   bool sobol = false;  ///< otherwise independent points
   bool phong = false, one_sided = false;
 
-  bool flat_lights = false;  ///< all lights that are surfaces are parallelograms outside boxes
+  /// True if pixels see no other lights directly than parallelograms outside boxes.
+  bool flat_lights = false;
   bool sphere_lights = false, disk_lights = false, any_mesh_light = false;
 
   bool disks() const { return first_sphere > first_disk; }
