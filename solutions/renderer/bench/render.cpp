@@ -71,6 +71,8 @@ std::vector<Variant> variants(const Arguments& a) {
   result.push_back({.name = "not guided", .kernel = kernel, .guidance = renderer::Guidance::none});
   result.push_back({.name = "not shared", .kernel = kernel, .share = false});
   result.push_back(
+      {.name = "no rays to lights", .kernel = kernel, .choices = {.lights_apart = false}});
+  result.push_back(
       {.name = "no light paths", .kernel = kernel, .technique = renderer::Technique::path});
   result.push_back(
       {.name = "light paths", .kernel = kernel, .technique = renderer::Technique::bidirectional});
