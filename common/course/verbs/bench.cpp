@@ -43,8 +43,9 @@ const PeerModule peer_modules[]{
   become(course, "carlo_bench", arguments, words);
 }
 
-/// Installs other renderers in a folder of their own; a renderer that this Python cannot install is
-/// not measured. `only`: one of them, or "" for all.
+/// Installs other renderers in a folder of their own, with NumPy, which our scripts need and only
+/// some of them bring; a renderer that this Python cannot install is not measured. `only`: one of
+/// them, or "" for all.
 void install_peers(const Tree& tree, const fs::path& folder, const std::string& only) {
   tree.need({"build", "peers"});
   if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
@@ -54,7 +55,7 @@ void install_peers(const Tree& tree, const fs::path& folder, const std::string& 
     if (fs::exists(folder / module)) continue;
     say({"carlo: installing ", module, " in ", folder, " ...\n"});
     const int code = run({folder / "bin/pip", "install", "--quiet", "--disable-pip-version-check",
-                          "--only-binary", ":all:", module},
+                          "--only-binary", ":all:", module, "numpy<3"},
                          {.output = 2});
     if (code == 0) {
       const std::ofstream done(folder / module);
