@@ -174,12 +174,14 @@ HWY_INLINE M run_occludes(const LaneScene& s, const Run& run, const Segments& se
     const M touches = within_rounding(hit.below, of_origin, s.coordinates[i]);
     between = select_mask(touches, goes_through(hit.n, hit.along, segments.from.arrival), between);
   }
-  const V3 p = add_scaled(segments.from.o, hit.t, segments.d);
+  const M crosses = hn::And(there, between);
   M within = hn::FirstN(d_, 0);
-  NearbyMembers()(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
+  if (hn::AllFalse(d_, crosses)) return within;
+  const V3 p = add_scaled(segments.from.o, hit.t, segments.d);
+  NearbyMembers()(s, run, p, crosses, [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));
   });
-  return hn::And(there, hn::And(between, within));
+  return hn::And(crosses, within);
 }
 
 }  // namespace HWY_NAMESPACE
