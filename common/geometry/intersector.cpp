@@ -21,6 +21,7 @@ template <class S>
 struct Primitive {
   const S* surface;
   std::uint32_t shape;
+  std::uint32_t plane;  ///< the first shape in a parallelogram's plane; of others, their own number
 };
 
 /// A parallelogram and the others of its plane.
@@ -52,8 +53,8 @@ struct UserGeometry {
     return *(*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].surface;
   }
 
-  static std::uint32_t shape(const void* user, unsigned primitive) {
-    return (*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].shape;
+  static std::uint32_t plane(const void* user, unsigned primitive) {
+    return (*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].plane;
   }
 
   static double find(const RTCRay& ray, const S& s) {
@@ -76,7 +77,7 @@ struct UserGeometry {
   static void occluded(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto* ray = reinterpret_cast<RTCRay*>(args->ray);
-    if (ray->id == shape(args->geometryUserPtr, args->primID)) return;
+    if (ray->id == plane(args->geometryUserPtr, args->primID)) return;
     if (find(*ray, surface(args->geometryUserPtr, args->primID)) >= 0) {
       ray->tfar = -std::numeric_limits<float>::infinity();
     }
@@ -195,13 +196,13 @@ struct Intersector::Impl {
             surfaces.push_back(quad);
           },
           [&](const Sphere& sphere) {
-            spheres.push_back({&sphere, i});
+            spheres.push_back({&sphere, i, i});
           },
           [&](const Disk& disk) {
-            disks.push_back({&disk, i});
+            disks.push_back({&disk, i, i});
           },
           [&](const Mesh& mesh) {
-            meshes.push_back({&mesh, i});
+            meshes.push_back({&mesh, i, i});
           },
           [&](const Sdf& sdf) {
             tracers.emplace_back(sdf);
@@ -209,10 +210,11 @@ struct Intersector::Impl {
           });
     }
     for (std::size_t i = 0; i < tracers.size(); ++i)
-      sdfs.push_back({&tracers[i], sdf_shapes[i]});
-    set_planes(find_planes(surfaces));
-    for (const Flat& flat : flats)
-      parallelograms.push_back({&flat, flat.shape});
+      sdfs.push_back({&tracers[i], sdf_shapes[i], sdf_shapes[i]});
+    const Planes planes = find_planes(surfaces);
+    set_planes(planes);
+    for (std::size_t i = 0; i < flats.size(); ++i)
+      parallelograms.push_back({&flats[i], flats[i].shape, flats[planes.of[i].first].shape});
   }
 
   /// Makes rays that leave a parallelogram start beyond all others in its plane.
@@ -230,6 +232,12 @@ struct Intersector::Impl {
         flats[i].gap = gap * glm::abs(Vec3(flats[i].quad.n));
       }
     }
+  }
+
+  /// Primitive::plane of a shape.
+  std::uint32_t plane_of(std::uint32_t shape) const {
+    const auto found = std::ranges::lower_bound(parallelograms, shape, {}, &Primitive<Flat>::shape);
+    return found != parallelograms.end() && found->shape == shape ? found->plane : shape;
   }
 
   /// Among the parallelograms of one plane that lie at p, one whose front the ray meets, if there
@@ -377,7 +385,7 @@ bool Intersector::intersect(const Ray& ray, Hit& hit) const {
 
 bool Intersector::occluded(const Ray& ray, float tmax, std::uint32_t but_for) const {
   RTCRay query = embree_ray(ray, tmax);
-  query.id = but_for;
+  query.id = impl_->plane_of(but_for);
   embree_occluded(impl_->embree, &query);
   return query.tfar < 0;
 }

@@ -39,7 +39,8 @@ class Intersector {
 
   /// True if anything lies at 0 < t < tmax, except for one shape, which must be a parallelogram, a
   /// sphere or a disk: the light that the ray aims at. Where a ray grazes a sphere, rounding could
-  /// make it occlude itself.
+  /// make it occlude itself. Nor do the other parallelograms of a parallelogram's plane: a light on
+  /// its back, facing the other way, would by rounding hide every second point.
   bool occluded(const Ray& ray, float tmax, std::uint32_t but_for = nothing) const;
 
  private:

@@ -176,6 +176,29 @@ TEST_CASE("No ray passes between two triangles or parallelograms that share an e
   CHECK(leaks == 0);
 }
 
+// Two lights back to back had half of their light.
+TEST_CASE("A rectangle on the back of a light does not hide it") {
+  Rng rng(5);
+  const auto any = [&] {
+    return Vec3(rng.uniform_float(), rng.uniform_float(), rng.uniform_float()) - Vec3(.5f);
+  };
+  int hidden = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 corner = 3.0f * any(), u = any(), v = any();
+    const Scene scene = scene_of(
+        {{Sphere{{50, 0, 0}, 1}}, {Parallelogram{corner, u, v}}, {Parallelogram{corner, v, u}}});
+    const Intersector intersector(scene);
+    const Vec3 light = corner + rng.uniform_float() * u + rng.uniform_float() * v;
+    const Vec3 o = light + 4.0f * any();
+    const float length = glm::length(light - o);
+    const Ray ray{o, (light - o) / length};
+    for (const std::uint32_t aimed_at : {1u, 2u})
+      hidden += intersector.occluded(ray, length, aimed_at) ? 1 : 0;
+    CHECK(intersector.occluded(ray, 1.01f * length));
+  }
+  CHECK(hidden == 0);
+}
+
 // Embree 3.13.5 traced all rays of a packet on machines without AVX-512, and Debian's ended the
 // program at the first that is not finite.
 TEST_CASE("Only the wanted rays of a packet are traced, with each instruction set of Embree's") {
