@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace carlo {
@@ -153,7 +154,8 @@ struct Intersector::Impl {
   std::vector<SphereTracer> tracers;
   std::vector<Primitive<SphereTracer>> sdfs;
   std::vector<Primitive<Mesh>> meshes;
-  std::size_t added = 0;  ///< shapes that Embree knows
+  std::vector<std::uint32_t> plane_of;  ///< of each shape, Primitive::plane
+  std::size_t added = 0;                ///< shapes that Embree knows
 
   explicit Impl(const Scene& s) : scene(s) {
     // No "threads=1" here: it would limit TBB in the whole program.
@@ -213,8 +215,12 @@ struct Intersector::Impl {
       sdfs.push_back({&tracers[i], sdf_shapes[i], sdf_shapes[i]});
     const Planes planes = find_planes(surfaces);
     set_planes(planes);
-    for (std::size_t i = 0; i < flats.size(); ++i)
-      parallelograms.push_back({&flats[i], flats[i].shape, flats[planes.of[i].first].shape});
+    plane_of.resize(scene.shapes.size());
+    std::iota(plane_of.begin(), plane_of.end(), 0u);
+    for (std::size_t i = 0; i < flats.size(); ++i) {
+      plane_of[flats[i].shape] = flats[planes.of[i].first].shape;
+      parallelograms.push_back({&flats[i], flats[i].shape, plane_of[flats[i].shape]});
+    }
   }
 
   /// Makes rays that leave a parallelogram start beyond all others in its plane.
@@ -232,12 +238,6 @@ struct Intersector::Impl {
         flats[i].gap = gap * glm::abs(Vec3(flats[i].quad.n));
       }
     }
-  }
-
-  /// Primitive::plane of a shape.
-  std::uint32_t plane_of(std::uint32_t shape) const {
-    const auto found = std::ranges::lower_bound(parallelograms, shape, {}, &Primitive<Flat>::shape);
-    return found != parallelograms.end() && found->shape == shape ? found->plane : shape;
   }
 
   /// Among the parallelograms of one plane that lie at p, one whose front the ray meets, if there
@@ -385,7 +385,7 @@ bool Intersector::intersect(const Ray& ray, Hit& hit) const {
 
 bool Intersector::occluded(const Ray& ray, float tmax, std::uint32_t but_for) const {
   RTCRay query = embree_ray(ray, tmax);
-  query.id = impl_->plane_of(but_for);
+  query.id = but_for == nothing ? nothing : impl_->plane_of[but_for];
   embree_occluded(impl_->embree, &query);
   return query.tfar < 0;
 }
