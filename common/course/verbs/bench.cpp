@@ -16,12 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Another renderer: what --peer calls it, and its Python module, installed from PyPI.
+/// Another renderer: what --peer calls it, and its Python module, installed from PyPI. Without a
+/// name: what all their scripts need.
 struct PeerModule {
   std::string name, module;
 };
-const PeerModule peer_modules[]{
-    {"mitsuba", "mitsuba==3.9.1"}, {"cycles", "bpy==5.0.1"}, {"luxcore", "pyluxcore==2.11.2"}};
+const PeerModule peer_modules[]{{"", "numpy<3"},
+                                {"mitsuba", "mitsuba==3.9.1"},
+                                {"cycles", "bpy==5.0.1"},
+                                {"luxcore", "pyluxcore==2.11.2"}};
 
 /// Builds a program of the suite and replaces this process with it.
 [[noreturn]] void become(Course& course, const std::string& program, const Words& before,
@@ -43,19 +46,18 @@ const PeerModule peer_modules[]{
   become(course, "carlo_bench", arguments, words);
 }
 
-/// Installs other renderers in a folder of their own, with NumPy, which our scripts need and only
-/// some of them bring; a renderer that this Python cannot install is not measured. `only`: one of
-/// them, or "" for all.
+/// Installs other renderers in a folder of their own; a renderer that this Python cannot install is
+/// not measured. `only`: one of them, or "" for all.
 void install_peers(const Tree& tree, const fs::path& folder, const std::string& only) {
   tree.need({"build", "peers"});
   if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
     fail({"no Python environment in ", folder.string()});
   for (const auto& [name, module] : peer_modules) {
-    if (!only.empty() && only != name) continue;
+    if (!only.empty() && !name.empty() && only != name) continue;
     if (fs::exists(folder / module)) continue;
     say({"carlo: installing ", module, " in ", folder, " ...\n"});
     const int code = run({folder / "bin/pip", "install", "--quiet", "--disable-pip-version-check",
-                          "--only-binary", ":all:", module, "numpy<3"},
+                          "--only-binary", ":all:", module},
                          {.output = 2});
     if (code == 0) {
       const std::ofstream done(folder / module);
