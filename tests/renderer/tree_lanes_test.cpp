@@ -285,12 +285,16 @@ TEST_CASE(
             self(self, child[c], depth + 1, boxes);
             continue;
           }
-          CHECK((child[c] & ~LaneTree::leaf) == next);
-          const Extent& shape = extents[order[next++ - 5]];
-          for (const auto& box : boxes) {
-            for (std::size_t k = 0; k < 3; ++k) {
-              const auto axis = static_cast<int>(k);
-              outside += box[k] >= shape.lower[axis] || box[3 + k] <= shape.upper[axis];
+          const auto shapes = LaneTree::Shapes::of(child[c]);
+          CHECK(shapes.first == next);
+          CHECK((shapes.count >= 1 && shapes.count <= LaneTree::most_shapes));
+          for (; next < shapes.first + shapes.count; ++next) {
+            const Extent& shape = extents[order[next - 5]];
+            for (const auto& box : boxes) {
+              for (std::size_t k = 0; k < 3; ++k) {
+                const auto axis = static_cast<int>(k);
+                outside += box[k] >= shape.lower[axis] || box[3 + k] <= shape.upper[axis];
+              }
             }
           }
         }

@@ -88,9 +88,11 @@ struct BoxBuilder {
       const Items part = parts[c].items;
       bound(tree.nodes[node], c, around(extents, part));
       std::uint32_t child = 0;
-      if (part.size() == 1) {
-        child = LaneTree::leaf | (first + static_cast<std::uint32_t>(order.size()));
-        order.push_back(part[0]);
+      if (part.size() <= LaneTree::most_shapes) {
+        child = LaneTree::Shapes{first + static_cast<std::uint32_t>(order.size()),
+                                 static_cast<std::uint32_t>(part.size())}
+                    .child();
+        order.insert(order.end(), part.begin(), part.end());
       } else {
         child = build(part, depth + 1);
       }
@@ -116,10 +118,14 @@ struct BoxBuilder {
     return parts;
   }
 
-  /// So many that nodes whose children are shapes are full.
+  /// So many that nodes below are full: there are as few levels as children of two shapes allow,
+  /// and what is left over makes the upper nodes narrower, which rays visit less often.
   static std::size_t most_parts(std::size_t items) {
     constexpr std::size_t width = LaneTree::width;
-    return items <= width ? items : std::min((items + width - 1) / width, width);
+    std::size_t of_child = 1;  // shapes of a child whose nodes are full of single shapes
+    while (items > 2 * width * of_child)
+      of_child *= width;
+    return std::min((items + of_child - 1) / of_child, width);
   }
 
   Part part(Items items, bool equal) const {

@@ -205,10 +205,10 @@ struct TreeSearch {
   Beams together;
 };
 
-/// Calls `meet` with the number of each shape whose box one of the `wanted` rays hits, and with the
-/// mask of those that do, in the order of the numbers. The shapes found for a ray do not depend on
-/// the other rays of its register. `far`: returns the distances up to which rays are followed. Ends
-/// early when `meet` returns false.
+/// Calls `meet` with the number of each shape in a child whose box one of the `wanted` rays hits,
+/// and with the mask of those that do, in the order of the numbers. The shapes found for a ray do
+/// not depend on the other rays of its register. `far`: returns the distances up to which rays are
+/// followed. Ends early when `meet` returns false.
 template <class Far, class Meet>
 HWY_INLINE void for_shapes_near(const LaneTree& tree, const TreeSearch& search, M wanted,
                                 const Far& far, const Meet& meet) {
@@ -232,7 +232,10 @@ HWY_INLINE void for_shapes_near(const LaneTree& tree, const TreeSearch& search, 
     const std::uint32_t rays = visit.entering(tree, c, each, far());
     if (rays == 0) continue;
     if ((child & LaneTree::leaf) != 0) {
-      if (!meet(child & ~LaneTree::leaf, mask_of(rays))) return;
+      const auto [first, count] = LaneTree::Shapes::of(child);
+      for (std::uint32_t i = first; i < first + count; ++i) {
+        if (!meet(i, mask_of(rays))) return;
+      }
     } else {
       visits[++depth].start(tree, child, rays, each, together, reach());
     }
