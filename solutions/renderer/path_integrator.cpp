@@ -84,7 +84,9 @@ class PathIntegrator final : public carlo::Integrator {
 
   std::string name() const override { return "scalar path tracer, Embree"; }
 
-  double least_light_probability() const override { return lights_.least_probability(); }
+  double least_light_probability() const override {
+    return scene_.max_depth == 1 ? 1 : lights_.least_probability();  // pixels see lights then
+  }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               Counts& counts) const override {

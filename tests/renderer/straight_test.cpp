@@ -245,6 +245,18 @@ TEST_CASE("Rays that look for lights reduce the noise at their edges") {
   CHECK(with < .8 * without);
 }
 
+TEST_CASE("No light is too rarely sampled where pixels alone find them") {
+  for (const renderer::Kernel kernel : {renderer::Kernel::best, renderer::Kernel::scalar}) {
+    Scene scene = lab_scenes::load("many_lights");
+    const auto least = [&] {
+      return renderer::make_path_integrator(scene, {.kernel = kernel})->least_light_probability();
+    };
+    CHECK(least() < .01);
+    scene.max_depth = 1;
+    CHECK(least() == 1);
+  }
+}
+
 TEST_CASE("Blocks of samples are the same whether rendered at once or not") {
   instruction_sets::on_all([] {
     for (const int max_depth : {1, 3}) {

@@ -66,7 +66,8 @@ class LaneIntegrator final : public carlo::Integrator {
   double seconds_spent() const override { return seconds_spent_; }
 
   double least_light_probability() const override {
-    return lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
+    const bool samples_lights = scene_.max_depth != 1;  // pixels see them
+    return samples_lights && lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
   }
 
   double light_paths() const override { return choices_.light_paths; }
