@@ -181,7 +181,8 @@ Scene small(const std::string& name, SamplerKind sampler) {
 void measure_all(const std::string& name, std::uint64_t seeds) {
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     const Scene scene = small(name, sampler);
-    const bool lights = needs(scene).area_lights() + needs(scene).point_lights > 0;
+    const bool lights = needs(scene).area_lights() + needs(scene).point_lights > 0 &&
+                        renderer::light_paths_suit(scene);
     const bool vector_kernel = renderer::LaneScene::suits(needs(scene), scene);
     for (const Way& way : ways) {
       if (way.share && !(vector_kernel && renderer::LaneScene(scene).can_share())) continue;
