@@ -250,8 +250,9 @@ ReportLines to_lines(const RenderReport& r) {
                      *r.light_samples));
   }
   if (r.counts.cut > 0) {
-    line("WARNING", fmt::format("{} paths were cut at the maximum length: the image is too dark",
-                                r.counts.cut));
+    line("WARNING", fmt::format("{} cut at the maximum length: the image is too dark",
+                                r.counts.cut == 1 ? "1 path was"
+                                                  : fmt::format("{} paths were", r.counts.cut)));
   }
   if (r.counts.bad > 0) {
     line("WARNING", fmt::format("{} samples were NaN, infinite or negative; they count as black",
