@@ -233,6 +233,18 @@ TEST_CASE("Light paths are refused where only the scalar kernel renders") {
   CHECK_THROWS_AS(render_both(scene, 1, 1), Error);
 }
 
+TEST_CASE("No light paths start where nothing but the surroundings shines") {
+  Scene scene = lab_scenes::load("image_light");
+  resize(scene, 32, 32);
+  for (const bool constant : {false, true}) {
+    if (constant) scene.lights.envmap = {}, scene.lights.environment = Rgb(1);
+    const auto integrator =
+        renderer::make_path_integrator(scene, {.technique = renderer::Technique::bidirectional});
+    CHECK(integrator->light_paths() == 0);
+    CHECK(render_both(scene, 1, 1).counts.bad == 0);
+  }
+}
+
 // A path from the camera finds almost nothing of what is lit through a slit: a pilot that did not
 // choose light paths there, or chose them where light sampling finds all light, would be
 // useless, with few samples as with many. Of 200 other seeds all were right, but one for

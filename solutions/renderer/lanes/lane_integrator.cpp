@@ -22,7 +22,7 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
                  const LaneTrials& trials)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
-    choices_.light_paths *= light_paths_per_path(lanes_);
+    choices_.light_paths *= lanes_.has_path_starts() ? light_paths_per_path(lanes_) : 0;
     if (choices_.lights_apart && scene.max_depth != 1)
       lights_apart_ = seen_lights(lanes_, scene.camera, scene.width, scene.height);
     if (!trials.any()) return;
