@@ -118,8 +118,9 @@ struct BoxBuilder {
     return parts;
   }
 
-  /// So many that nodes below are full: there are as few levels as children of two shapes allow,
-  /// and what is left over makes the upper nodes narrower, which rays visit less often.
+  /// So many that nodes below are full: there are as few levels as children of two shapes allow, so
+  /// that parts with a few more than `width` need no node more; what is left over makes the upper
+  /// nodes narrower.
   static std::size_t most_parts(std::size_t items) {
     constexpr std::size_t width = LaneTree::width;
     std::size_t of_child = 1;  // shapes of a child whose nodes are full of single shapes
